@@ -1,0 +1,23 @@
+/** A scene: what a simulation starts from. Parsed and validated once; everything after the parser trusts it. */
+export interface Scene {
+  /** File name without directory and extension, e.g. "flag". */
+  name: string;
+  /** #V by 3, metres, row-major: rest positions. */
+  V: Float64Array;
+  /** #E by 2, row-major: springs, zero-based indices into the rows of V. */
+  E: Int32Array;
+  /** #F by 3, row-major: triangles of the rendered surface (polygons fanned); empty for a pure network of springs. */
+  F: Uint32Array;
+  /** Texture coordinates of the surface, or null. `FT` indexes rows of `VT`, corner by corner with F. */
+  texture: { url: string; VT: Float32Array; FT: Uint32Array } | null;
+  /** #V, kg: uniform, or a third of each triangle's area (times 1 kg/m²) when the file gives none. */
+  m: Float64Array;
+  /** Zero-based indices of the pinned vertices, ascending; each is held at its rest position. */
+  pinned: Int32Array;
+  /** N/m. */
+  k: number;
+  /** Optional fields of the format that the course's own files lack, with their defaults filled in. */
+  delta_t: number; // seconds, 1/30 unless given
+  iterations: number; // 50 unless given
+  w: number; // N/m, 1e10 unless given
+}

@@ -1,0 +1,172 @@
+/** Hand-written types of the WebAssembly module (Debian's Emscripten has no --emit-tsd); tests/wasm/module.test.ts holds them to the real one. */
+
+/** The names of StatusCode in wasm/core/status.h, same spelling, same order. */
+export const statusCodes = [
+  'ok',
+  'no_scene',
+  'no_vertices',
+  'wrong_length',
+  'not_finite',
+  'index_out_of_range',
+  'self_spring',
+  'duplicate_spring',
+  'duplicate_pin',
+  'not_positive',
+  'too_stiff',
+  'too_large',
+  'factorisation_failed',
+  'diverged',
+] as const;
+export type StatusCode = (typeof statusCodes)[number];
+
+/** What a call that can fail returns. `field` names the argument (e.g. "E", "m", "delta_t"), `index` its row (or −1), `value` the offender. */
+export interface Status {
+  code: StatusCode;
+  field: string;
+  index: number;
+  value: number;
+}
+
+export interface Parameters {
+  /** N/m. */
+  k: number;
+  /** s. */
+  delta_t: number;
+  /** N/m, pin penalty. */
+  w: number;
+  /** Dimensionless: multiplies every mass of the scene. */
+  mass_scale: number;
+  /** Local/global iterations K of a time step. */
+  iterations: number;
+  /** m/s²: g = (0, −gravity, 0). */
+  gravity: number;
+  /** Whether the course's wind blows. */
+  wind: boolean;
+  storage: 'sparse' | 'dense';
+}
+
+/** A sparse matrix as triplets, for tests and the matrix views. Each (row, column) occurs once. */
+export interface Triplets {
+  rows: number;
+  columns: number;
+  i: Int32Array;
+  j: Int32Array;
+  value: Float64Array;
+}
+
+/** The parts of row i of Q p = b, b = k Aᵀ d + y, for the d and p of the cursor. Each #3. */
+export interface VertexProbe {
+  y: number[];
+  kAtd: number[];
+  b: number[];
+  Qp: number[];
+}
+
+/**
+ * One simulation: scene, parameters, pins, the known positions p^t and p^{t−Δt}, and a cursor inside the time step that computes p^{t+Δt}.
+ *
+ * The cursor (step, half_step) is a place in the trace of that time step, with K iterations:
+ *   half_step 0 predict · 2k−1 local(k) · 2k global(k), k = 1…K · 2K+1 accept.
+ * Everything the trace shows is a pure function of (p^t, p^{t−Δt}, parameters, pins, half_step): stepping back recomputes, bit for bit.
+ *
+ * Every Float64Array returned here is a BORROWED view of wasm memory, valid until the next call on the module: copy what is kept.
+ */
+export interface Simulation {
+  /** Replaces everything; on failure the previous scene stays, untouched. V #V×3, E #E×2, m #V, pinned #pinned, row-major. Cursor to (1, 0). */
+  set_scene(
+    V: Float64Array,
+    E: Int32Array,
+    m: Float64Array,
+    pinned: Int32Array,
+    parameters: Parameters,
+  ): Status;
+  /** Refactorises when k, delta_t, w or mass_scale changed; on failure the previous parameters stay. */
+  set_parameters(parameters: Parameters): Status;
+  /** The set of pinned vertices and where each is held (#pinned×3). Refactorises only when the SET changed. */
+  set_pins(pinned: Int32Array, targets: Float64Array): Status;
+  /** Rest positions, at rest, cursor to (1, 0). Pins keep their set and return to their rest positions. */
+  reset(): Status;
+  /** Restores a checkpoint: the known positions of time step `step`, each #V×3, and the half step the cursor stands at. */
+  set_state(step: number, p_curr: Float64Array, p_prev: Float64Array, half_step: number): Status;
+
+  /** Full speed, records nothing: completes the current time step if the cursor is inside it, otherwise runs the next one whole. Cursor to accept. */
+  step(): Status;
+  /** Moves the cursor inside the current time step (0 … 2K+1), tracing as far as needed. */
+  seek(half_step: number): Status;
+  /** From accept: p^{t−Δt} ← p^t, p^t ← p, cursor to (step+1, 0). From elsewhere: completes the step first. */
+  next_step(): Status;
+  /** Back to accept of the previous time step (retraced). False when there is none remembered. */
+  previous_step(): boolean;
+  /** How many earlier time steps previous_step() could still return to. */
+  remembered_steps(): number;
+
+  step_number(): number;
+  half_step(): number;
+  /** 2K+1. */
+  last_half_step(): number;
+
+  vertex_count(): number;
+  spring_count(): number;
+  /** #V×3: the iterate at the cursor. */
+  p(): Float64Array;
+  /** #V×3: the iterate before it (p^t at predict and in iteration 1's local step). The projection d was computed from this one at global. */
+  p_before(): Float64Array;
+  /** #V×3: p^t and p^{t−Δt}. */
+  p_curr(): Float64Array;
+  p_prev(): Float64Array;
+  /** #V×3: where inertia and external forces alone would carry each vertex, 2p^t − p^{t−Δt} + Δt² M⁻¹ f^ext. */
+  inertial_prediction(): Float64Array;
+  /** #E×3: the projection at the cursor (at predict: the unprojected p_i − p_j). */
+  d(): Float64Array;
+  /** #E. */
+  r(): Float64Array;
+  /** #V: masses in use (scene × mass_scale). */
+  m(): Float64Array;
+  /** #pinned×3. */
+  targets(): Float64Array;
+  /**
+   * One row of `traceColumns` per half-step traced so far in this time step (0 … furthest), row-major.
+   * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, residual ‖Qp−b‖∞ (0 unless global), change max_i‖p_i − p_before_i‖.
+   */
+  trace(): Float64Array;
+  probe_vertex(i: number): VertexProbe;
+  /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
+  stiffness_number(): number;
+  factorisation_count(): number;
+  /** Why the last factorisation happened: 'scene', 'k', 'delta_t', 'mass', 'w', 'pins' or 'storage'. */
+  factorisation_reason(): string;
+
+  /** For tests and matrix views: the matrices of mathematics.md as triplets (copies). */
+  A(): Triplets;
+  M(): Triplets;
+  C(): Triplets;
+  Q(): Triplets;
+  y(): Float64Array;
+  /** E(p) of the current time step at any p (#V×3), with its terms: objective, potential, inertia, external, pin. */
+  objective_at(p: Float64Array): { objective: number; potential: number; inertia: number; external: number; pin: number };
+  /** #V×3: ∂E/∂p at any p. */
+  gradient_at(p: Float64Array): Float64Array;
+  /** Releases the memory. One owner calls it once. */
+  delete(): void;
+}
+
+export const traceColumns = [
+  'half_step',
+  'objective',
+  'surrogate',
+  'potential',
+  'inertia',
+  'external',
+  'pin',
+  'residual',
+  'change',
+] as const;
+
+export interface SolverModule {
+  Simulation: new () => Simulation;
+  /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
+  status_codes(): string[];
+}
+
+/** The factory that Emscripten generates. `wasmBinary` is handed in so Node, Vitest and browsers load the same file the same way. */
+export type CreateSolver = (options: { wasmBinary: ArrayBuffer | Uint8Array }) => Promise<SolverModule>;
