@@ -1,0 +1,6 @@
+import { equations } from './equations.ts';
+import { page } from './page.ts';
+import { plots } from './plots.ts';
+import { symbols } from './symbols.ts';
+
+export const en = { page, symbols, equations, plots };

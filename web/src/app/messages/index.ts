@@ -1,0 +1,50 @@
+import { signal } from '@preact/signals';
+import { createInstance, type TOptions } from 'i18next';
+import { en } from './en/index.ts';
+import { zh } from './zh/index.ts';
+
+export const languages = ['en', 'zh'] as const;
+export type Language = (typeof languages)[number];
+
+/** The catalogue's shape with every text a plain string: `zh` has to satisfy it, so a missing key fails the build. */
+export type Catalogue<T> = { [K in keyof T]: T[K] extends string ? string : Catalogue<T[K]> };
+
+type Path<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Path<T[K]>}` }[keyof T & string];
+export type MessageKey = Path<typeof en>;
+
+const instance = createInstance();
+void instance.init({
+  lng: 'en',
+  fallbackLng: false,
+  initAsync: false,
+  resources: { en: { translation: en }, zh: { translation: zh } },
+  interpolation: { escapeValue: false }, // texts are rendered as text nodes, never as HTML
+});
+
+const current = signal<Language>('en');
+
+/** The language shown. Reading it (or calling `t`) inside a component re-renders the component when it changes. */
+export const language = {
+  get value(): Language {
+    return current.value;
+  },
+  set value(next: Language) {
+    void instance.changeLanguage(next);
+    document.documentElement.lang = next === 'zh' ? 'zh-Hans' : 'en';
+    current.value = next;
+  },
+};
+
+/** The text for `key` in the language shown, `{{name}}` filled in from `params`. */
+export function t(key: MessageKey, params: TOptions = {}): string {
+  return instance.t(key, { ...params, lng: current.value });
+}
+
+/** The first of the reader's preferred languages that we speak. */
+export function preferredLanguage(preferred: readonly string[]): Language {
+  for (const tag of preferred) {
+    if (tag.toLowerCase().startsWith('zh')) return 'zh';
+    if (tag.toLowerCase().startsWith('en')) return 'en';
+  }
+  return 'en';
+}

@@ -1,0 +1,8 @@
+import type { en } from '../en/index.ts';
+import type { Catalogue } from '../index.ts';
+import { equations } from './equations.ts';
+import { page } from './page.ts';
+import { plots } from './plots.ts';
+import { symbols } from './symbols.ts';
+
+export const zh: Catalogue<typeof en> = { page, symbols, equations, plots };

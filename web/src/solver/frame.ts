@@ -1,0 +1,60 @@
+/** What the solver's worker sends to the page: one place in the trace, in arrays the page owns. */
+
+export type Phase = 'predict' | 'local' | 'global' | 'accept';
+
+/** One half-step of the time step's trace. Energies in J, residual in N, change in m. */
+export interface TraceEvent {
+  half_step: number;
+  phase: Phase;
+  /** 0 at predict, k in 1 … K for local(k) and global(k), K at accept. */
+  iteration: number;
+  /** E(p). */
+  objective: number;
+  /** Ẽ(p, d): what each half-step minimises in one of its two arguments; E ≤ Ẽ, equal after a local step. */
+  surrogate: number;
+  potential: number;
+  inertia: number;
+  external: number;
+  pin: number;
+  /** ‖Qp − b‖∞ of a global step, 0 elsewhere. */
+  residual: number;
+  /** max_i ‖p_i − p_before,i‖. */
+  change: number;
+}
+
+/** The selected vertex's row of Q p = b, b = k Aᵀ d + y, each #3, N. */
+export interface VertexEquation {
+  vertex: number;
+  y: number[];
+  kAtd: number[];
+  b: number[];
+  Qp: number[];
+}
+
+export interface Frame {
+  /** Number of the time step being computed, from 1. */
+  step: number;
+  half_step: number;
+  last_half_step: number;
+  iterations: number;
+  phase: Phase;
+  iteration: number;
+  /** #V×3, m: the iterate at the cursor, and the one before it. */
+  p: Float32Array;
+  pBefore: Float32Array;
+  /** #E×3, m: the projections; null at predict, where there is none yet, and while playing when no view asks for it. */
+  d: Float32Array | null;
+  /** #V×3, m: where inertia and external forces alone would carry each vertex. */
+  prediction: Float32Array;
+  /** #pinned×3, m. */
+  targets: Float32Array;
+  /** The half-steps traced so far in this time step; empty while playing. */
+  events: TraceEvent[];
+  vertexEquation: VertexEquation | null;
+  stiffnessNumber: number;
+  factorisations: { count: number; reason: string };
+  /** How many earlier time steps can still be gone back to. */
+  rememberedSteps: number;
+  /** Wall-clock ms the worker spent on the request that made this frame. */
+  milliseconds: number;
+}
