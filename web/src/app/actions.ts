@@ -1,0 +1,164 @@
+import type { Scene } from '../scene/scene.ts';
+import { limits } from './limits.ts';
+import type { Language } from './messages/index.ts';
+import { language } from './messages/index.ts';
+import { notify } from './notices.ts';
+import { findScene, SceneProblem } from './scene_library.ts';
+import type { Session } from './session.ts';
+import {
+  type Adjustable,
+  type AppState,
+  defaultState,
+  dragging,
+  type Pin,
+  pins,
+  playing,
+  type Selection,
+  state,
+  type ViewOptions,
+} from './state.ts';
+
+/** Everything a reader can do. The only writer of the state; views call these and nothing else. */
+export class Actions {
+  constructor(private readonly session: Session) {}
+
+  // The clock and the cursor.
+  play(): void {
+    playing.value = true;
+  }
+  pause(): void {
+    playing.value = false;
+  }
+  togglePlaying(): void {
+    playing.value = !playing.value;
+  }
+  nextHalfStep(): void {
+    this.pausedAnd({ kind: 'next_half_step' });
+  }
+  previousHalfStep(): void {
+    this.pausedAnd({ kind: 'previous_half_step' });
+  }
+  nextStep(): void {
+    this.pausedAnd({ kind: 'next_step' });
+  }
+  previousStep(): void {
+    this.pausedAnd({ kind: 'previous_step' });
+  }
+  seek(half_step: number): void {
+    this.pausedAnd({ kind: 'seek', half_step });
+  }
+  /** Back to rest: positions and pins as the scene has them; parameters stay. */
+  reset(): void {
+    if (state.value.pins) this.change({ pins: state.value.pins.map((pin) => ({ ...pin, target: null })) });
+    this.session.order({ kind: 'reset' });
+  }
+  private pausedAnd(command: Parameters<Session['order']>[0]): void {
+    playing.value = false;
+    this.session.order(command);
+  }
+
+  // Parameters.
+  setParameter<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): void {
+    this.change({ parameters: { ...state.value.parameters, [name]: clamped(name, value) } });
+  }
+  resetParameter(name: keyof Adjustable): void {
+    const { [name]: _, ...others } = state.value.parameters;
+    this.change({ parameters: others });
+  }
+  resetParameters(): void {
+    this.change({ parameters: {} });
+  }
+
+  // Pins.
+  /** Pins a vertex where `at` says, or frees it. */
+  togglePin(vertex: number, at: [number, number, number]): void {
+    const now = this.listedPins();
+    const without = now.filter((pin) => pin.vertex !== vertex);
+    this.change({ pins: without.length < now.length ? without : [...now, { vertex, target: at }] });
+  }
+  movePin(vertex: number, target: [number, number, number]): void {
+    this.change({ pins: this.listedPins().map((pin) => (pin.vertex === vertex ? { vertex, target } : pin)) });
+  }
+  resetPins(): void {
+    this.change({ pins: null });
+  }
+  beginDrag(vertex: number): void {
+    dragging.value = vertex;
+  }
+  endDrag(): void {
+    dragging.value = null;
+  }
+  private listedPins(): Pin[] {
+    const { pinned, targets } = pins.value;
+    return (
+      state.value.pins ??
+      Array.from(pinned, (vertex, row) => ({
+        vertex,
+        target: Array.from(targets.subarray(3 * row, 3 * row + 3)) as [number, number, number],
+      }))
+    );
+  }
+
+  // What is shown.
+  select(selection: Partial<Selection>): void {
+    this.change({ selection: { ...state.value.selection, ...selection } });
+  }
+  setView(view: Partial<ViewOptions>): void {
+    this.change({ view: { ...state.value.view, ...view } });
+  }
+  setTheme(theme: AppState['theme']): void {
+    this.change({ theme });
+  }
+  setLanguage(next: Language): void {
+    language.value = next;
+    this.change({ language: next });
+  }
+
+  /** Opens a scene of the library with the scene's own parameters and pins. */
+  async openScene(name: string): Promise<void> {
+    await this.restore({
+      ...state.value,
+      scene: name,
+      parameters: {},
+      pins: null,
+      selection: defaultState.selection,
+      view: { ...state.value.view, camera: null },
+    });
+  }
+
+  /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
+  async restore(wanted: AppState): Promise<boolean> {
+    try {
+      const found = await findScene(wanted.scene);
+      language.value = wanted.language;
+      return await this.session.open(found, { ...wanted, selection: selectionOn(found, wanted.selection) });
+    } catch (problem) {
+      if (!(problem instanceof SceneProblem)) throw problem;
+      notify('error', problem.key, problem.params);
+      return false;
+    }
+  }
+
+  private change(part: Partial<AppState>): void {
+    state.value = { ...state.value, ...part };
+  }
+}
+
+function clamped<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): Adjustable[Name] {
+  if (name === 'wind') return value;
+  const { min, max } = limits[name as keyof typeof limits];
+  return Math.min(max, Math.max(min, value as number)) as Adjustable[Name];
+}
+
+/** What of a selection exists on this scene; where nothing is chosen, a spring that hangs from a pin, which shows the most. */
+function selectionOn(s: Scene, { spring, vertex }: Selection): Selection {
+  const springCount = s.E.length / 2;
+  const held = new Set(s.pinned);
+  const hanging = Array.from({ length: springCount }, (_, e) => e).find(
+    (e) => held.has(s.E[2 * e] as number) !== held.has(s.E[2 * e + 1] as number),
+  );
+  const e = spring !== null && spring < springCount ? spring : (hanging ?? 0);
+  const [i, j] = [s.E[2 * e] as number, s.E[2 * e + 1] as number];
+  return { spring: e, vertex: vertex !== null && vertex < s.m.length ? vertex : held.has(i) ? j : i };
+}
+

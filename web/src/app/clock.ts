@@ -1,0 +1,34 @@
+/** Simulated time against the wall clock: how many time steps are due. */
+export class Clock {
+  private last: number | null = null;
+  private owed_ms = 0;
+  private step_ms = 1;
+
+  /** Longest stretch of work per picture, ms: beyond it the simulation runs slower than real time instead of the page. */
+  static readonly budget_ms = 14;
+
+  /** Steps to run now, at time `now` (ms), for a time step of `delta_t` seconds. 0 when none is due. */
+  due(now: number, delta_t: number): number {
+    const elapsed = this.last === null ? 0 : now - this.last;
+    this.last = now;
+    this.owed_ms += elapsed;
+    const period = delta_t * 1000;
+    const affordable = Math.max(1, Math.floor(Clock.budget_ms / this.step_ms));
+    const steps = Math.min(Math.floor(this.owed_ms / period), affordable);
+    if (steps === 0) return 0;
+    // Debt that cannot be paid is forgiven, or a slow machine would never catch up.
+    this.owed_ms = Math.min(this.owed_ms - steps * period, period);
+    return steps;
+  }
+
+  /** What the steps really cost, so that the next picture asks for as many as fit. */
+  spent(steps: number, milliseconds: number): void {
+    this.step_ms = Math.max(0.01, milliseconds / steps);
+  }
+
+  /** Forget the time that passed while standing still. */
+  rest(): void {
+    this.last = null;
+    this.owed_ms = 0;
+  }
+}

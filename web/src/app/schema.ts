@@ -1,0 +1,34 @@
+import * as z from 'zod/mini';
+import { limits } from './limits.ts';
+import { languages } from './messages/index.ts';
+import type { AppState } from './state.ts';
+
+const within = ({ min, max }: { min: number; max: number }) => z.number().check(z.gte(min), z.lte(max));
+const index = z.int().check(z.gte(0));
+const point = z.tuple([z.number(), z.number(), z.number()]);
+
+/** One schema a part of the state, so that a link with one bad part keeps the others. */
+export const stateSchema = {
+  version: z.literal(1),
+  scene: z.string().check(z.regex(/^[\w-]{1,64}$/)),
+  parameters: z.strictObject({
+    k: z.optional(within(limits.k)),
+    delta_t: z.optional(within(limits.delta_t)),
+    mass_scale: z.optional(within(limits.mass_scale)),
+    w: z.optional(within(limits.w)),
+    iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
+    wind: z.optional(z.boolean()),
+  }),
+  pins: z.nullable(
+    z.array(z.strictObject({ vertex: index, target: z.nullable(point) })).check(z.maxLength(2000)),
+  ),
+  selection: z.strictObject({ spring: z.nullable(index), vertex: z.nullable(index) }),
+  view: z.strictObject({
+    exaggeration: z.union([z.literal('automatic'), z.number().check(z.gte(1), z.lte(1000))]),
+    springs: z.boolean(),
+    surface: z.boolean(),
+    camera: z.nullable(z.strictObject({ position: point, target: point })),
+  }),
+  language: z.enum(languages),
+  theme: z.enum(['light', 'dark', 'system']),
+} satisfies { [K in keyof AppState]: z.ZodMiniType };

@@ -1,0 +1,162 @@
+import { effect, untracked } from '@preact/signals';
+import type { Scene } from '../scene/scene.ts';
+import { type SolverClient, SolverCrash } from '../solver/client.ts';
+import type { Status } from '../solver/module.ts';
+import type { Command, Request } from '../solver/protocol.ts';
+import { Clock } from './clock.ts';
+import type { MessageKey } from './messages/index.ts';
+import { notify } from './notices.ts';
+import { type AppState, dragging, frame, parameters, pins, playing, scene, state } from './state.ts';
+
+/** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
+const longestQueue = 4;
+
+/**
+ * Drives the solver from the state: at most one request in flight, made from whatever the state is when it is sent. Sliders and drags therefore
+ * coalesce by themselves (the last value wins), and a refused value puts the last accepted ones back.
+ */
+export class Session {
+  private readonly clock = new Clock();
+  private readonly queue: Command[] = [];
+  private current: Promise<void> | null = null;
+  /** The state has changed since the last request. */
+  private stale = false;
+  /** The last request failed and nothing has changed since: asking again would fail again. */
+  private halted = false;
+  private accepted: Pick<AppState, 'parameters' | 'pins'> = { parameters: {}, pins: null };
+
+  constructor(private readonly client: SolverClient) {}
+
+  /** Begins to follow the state and the display's refresh. */
+  start(): void {
+    effect(() => {
+      // Reading them subscribes: whatever they become, the picture has to follow.
+      void [parameters.value, pins.value, state.value.selection.vertex, playing.value, dragging.value];
+      untracked(() => {
+        this.stale = true;
+        this.halted = false;
+        void this.pump();
+      });
+    });
+    const tick = (now: number) => {
+      requestAnimationFrame(tick);
+      if (!playing.value) return this.clock.rest();
+      if (this.current) return;
+      const steps = this.clock.due(now, parameters.value.delta_t);
+      if (steps > 0) this.order({ kind: 'play', steps });
+    };
+    requestAnimationFrame(tick);
+  }
+
+  /** Opens a scene with the parameters and pins of `wanted`. False, and everything as it was, when the solver refuses it. */
+  async open(next: Scene, wanted: AppState): Promise<boolean> {
+    while (this.current) await this.current;
+    let opened = false;
+    this.current = this.openNow(next, wanted).then((result) => {
+      opened = result;
+    });
+    try {
+      await this.current;
+    } finally {
+      this.current = null;
+    }
+    void this.pump();
+    return opened;
+  }
+
+  private async openNow(next: Scene, wanted: AppState): Promise<boolean> {
+    const before = { scene: scene.value, state: state.value };
+    scene.value = next;
+    state.value = wanted;
+    this.queue.length = 0;
+    try {
+      const outcome = await this.client.open(next, this.request({ kind: 'stay' }));
+      if (outcome.ok) {
+        this.accepted = { parameters: wanted.parameters, pins: wanted.pins };
+        frame.value = outcome.value.frame;
+        return true;
+      }
+      this.explain(outcome.status);
+    } catch (reason) {
+      if (!(reason instanceof SolverCrash) || !frame.value) throw reason;
+      notify('error', 'page.errors.crash', { reason: reason.message });
+    }
+    scene.value = before.scene;
+    state.value = before.state;
+    return false;
+  }
+
+  /** Asks for a move of the cursor. */
+  order(command: Command): void {
+    this.halted = false;
+    if (this.queue.length < longestQueue) this.queue.push(command);
+    void this.pump();
+  }
+
+  private async pump(): Promise<void> {
+    while (!this.current && frame.value) {
+      const command = this.next();
+      if (!command) return;
+      this.current = this.run(this.request(command));
+      try {
+        await this.current;
+      } finally {
+        this.current = null;
+      }
+    }
+  }
+
+  private next(): Command | null {
+    const ordered = this.queue.shift();
+    if (ordered) return ordered;
+    if (playing.value || this.halted) return null; // while playing, the next steps carry the changes
+    return this.stale || this.unfinishedTrace() ? { kind: 'stay' } : null;
+  }
+
+  /** Paused with nothing else to do: the rest of this time step's trace can be computed for the plot. */
+  private unfinishedTrace(): boolean {
+    const f = frame.value;
+    return f !== null && dragging.value === null && f.events.length <= f.last_half_step;
+  }
+
+  private request(command: Command): Request {
+    const { vertex } = state.value.selection;
+    const wholeTrace = command.kind === 'stay' && !this.stale && this.unfinishedTrace();
+    this.stale = false;
+    return { parameters: parameters.value, pins: pins.value, command, selectedVertex: vertex, wholeTrace };
+  }
+
+  private async run(request: Request): Promise<void> {
+    const settings = { parameters: state.value.parameters, pins: state.value.pins };
+    try {
+      const outcome = await this.client.run(request);
+      if (outcome.ok) {
+        this.accepted = settings;
+        frame.value = outcome.value.frame;
+        if (request.command.kind === 'play') this.clock.spent(request.command.steps, outcome.value.frame.milliseconds);
+      } else {
+        this.explain(outcome.status);
+        this.fallBack(settings);
+      }
+    } catch (reason) {
+      if (!(reason instanceof SolverCrash)) throw reason;
+      notify('error', 'page.errors.crash', { reason: reason.message });
+      this.fallBack(settings);
+    }
+  }
+
+  /** Puts the last accepted parameters and pins back, unless it was those that failed. */
+  private fallBack(failed: Pick<AppState, 'parameters' | 'pins'>): void {
+    playing.value = false;
+    this.queue.length = 0;
+    this.stale = false;
+    this.halted = true;
+    const { parameters: p, pins: q } = this.accepted;
+    if (failed.parameters !== p || failed.pins !== q) state.value = { ...state.value, ...this.accepted };
+  }
+
+  private explain(status: Status): void {
+    const { code, field, index, value } = status;
+    notify('error', `page.errors.${code}` as MessageKey, { field, index, value });
+  }
+}

@@ -1,0 +1,105 @@
+import { computed, signal } from '@preact/signals';
+import type { Scene } from '../scene/scene.ts';
+import type { Frame } from '../solver/frame.ts';
+import type { Parameters } from '../solver/module.ts';
+import type { Pins } from '../solver/protocol.ts';
+import type { Language } from './messages/index.ts';
+
+/** Everything worth saving: what a link, a preset or a fixture holds. Plain JSON, checked by schema.ts. */
+export interface AppState {
+  version: 1;
+  /** Name of a scene in the library, or of one the reader opened from files. */
+  scene: string;
+  /** What differs from the scene's own parameters. */
+  parameters: Partial<Adjustable>;
+  /** Null: the scene's own pins at their rest positions. */
+  pins: Pin[] | null;
+  selection: Selection;
+  view: ViewOptions;
+  language: Language;
+  theme: 'light' | 'dark' | 'system';
+}
+
+/** The parameters a reader can move. Units as in solver/module.ts. */
+export type Adjustable = Pick<Parameters, 'k' | 'delta_t' | 'mass_scale' | 'w' | 'iterations' | 'wind'>;
+
+export interface Pin {
+  vertex: number;
+  /** m. Null: held at its rest position. */
+  target: [number, number, number] | null;
+}
+
+export interface Selection {
+  spring: number | null;
+  vertex: number | null;
+}
+
+export interface ViewOptions {
+  /** What the two views multiply small changes by, so that they can be seen. */
+  exaggeration: 'automatic' | number;
+  springs: boolean;
+  surface: boolean;
+  camera: Camera | null;
+}
+
+export interface Camera {
+  position: [number, number, number];
+  target: [number, number, number];
+}
+
+export const defaultState: AppState = {
+  version: 1,
+  scene: 'net',
+  parameters: {},
+  pins: null,
+  selection: { spring: null, vertex: null },
+  view: { exaggeration: 'automatic', springs: true, surface: true, camera: null },
+  language: 'en',
+  theme: 'system',
+};
+
+/** The one app state. Written by actions.ts alone. */
+export const state = signal<AppState>(defaultState);
+
+// What passes: not part of the saved state, and rebuilt from it.
+export const scene = signal<Scene>({
+  name: '',
+  V: new Float64Array(0),
+  E: new Int32Array(0),
+  F: new Uint32Array(0),
+  texture: null,
+  m: new Float64Array(0),
+  pinned: new Int32Array(0),
+  k: 1,
+  delta_t: 1 / 30,
+  iterations: 50,
+  w: 1e10,
+});
+export const frame = signal<Frame | null>(null);
+export const playing = signal(false);
+/** A pin being dragged follows the pointer whether or not the clock runs. */
+export const dragging = signal<number | null>(null);
+
+/** The scene's own parameters with the reader's changes. */
+export const parameters = computed<Parameters>(() => ({
+  ...sceneParameters(scene.value),
+  ...state.value.parameters,
+}));
+
+export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameters {
+  return { k, delta_t, w, iterations, mass_scale: 1, gravity: 9.8, wind: false, storage: 'sparse' };
+}
+
+/** The pins in force: the reader's, or the scene's at rest. */
+export const pins = computed<Pins>(() => {
+  const s = scene.value;
+  const chosen: Pin[] = state.value.pins ?? Array.from(s.pinned, (vertex) => ({ vertex, target: null }));
+  return {
+    pinned: Int32Array.from(chosen, (pin) => pin.vertex),
+    targets: Float64Array.from(chosen.flatMap((pin) => pin.target ?? restPosition(s, pin.vertex))),
+  };
+});
+
+export function restPosition(s: Scene, vertex: number): [number, number, number] {
+  return [s.V[3 * vertex], s.V[3 * vertex + 1], s.V[3 * vertex + 2]] as [number, number, number];
+}

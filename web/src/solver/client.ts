@@ -1,0 +1,87 @@
+import { type Remote, wrap } from 'comlink';
+import type { Checkpoint, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
+
+/** The solver trapped, hung or vanished and was replaced; what the page last showed is restored. */
+export class SolverCrash extends Error {
+  override name = 'SolverCrash';
+}
+
+/** Longer than any request the solver accepts may take; after it the worker counts as hung. */
+const patience_ms = 60_000;
+
+export interface SolverClientOptions {
+  createWorker: () => Worker;
+  wasmBinary: ArrayBuffer;
+}
+
+/**
+ * The page's handle on the solver's worker. Keeps what is needed to replace the worker at any moment – the problem and the last checkpoint – so
+ * that a crash costs the request that caused it and nothing else. One request at a time: callers await the reply.
+ */
+export class SolverClient {
+  private worker: Worker | null = null;
+  private service: Remote<SolverService> | null = null;
+  private lastGood: { problem: Problem; request: Request; checkpoint: Checkpoint } | null = null;
+
+  constructor(private readonly options: SolverClientOptions) {}
+
+  /** Opens a problem from rest. On failure the one open before stays. Throws SolverCrash. */
+  async open(problem: Problem, request: Request): Promise<Outcome<Reply>> {
+    const outcome = await this.guarded((service) => service.open(problem, request, null));
+    if (outcome.ok) this.lastGood = { problem, request, checkpoint: outcome.value.checkpoint };
+    return outcome;
+  }
+
+  /** Runs a request on the open problem. Throws SolverCrash after restoring the last good state in a new worker. */
+  async run(request: Request): Promise<Outcome<Reply>> {
+    const outcome = await this.guarded((service) => service.run(request));
+    if (outcome.ok && this.lastGood)
+      this.lastGood = { problem: this.lastGood.problem, request, checkpoint: outcome.value.checkpoint };
+    return outcome;
+  }
+
+  private async guarded(
+    call: (service: Remote<SolverService>) => Promise<Outcome<Reply>>,
+  ): Promise<Outcome<Reply>> {
+    const service = this.service ?? (await this.startWorker());
+    try {
+      return await this.untilFailure(call(service));
+    } catch (reason) {
+      await this.replaceWorker();
+      throw new SolverCrash(reason instanceof Error ? reason.message : String(reason));
+    }
+  }
+
+  /** Rejects when the worker itself fails or nothing comes back, where comlink alone would wait for ever. */
+  private untilFailure<T>(reply: Promise<T>): Promise<T> {
+    const { worker } = this;
+    return new Promise((resolve, reject) => {
+      const timer = setTimeout(() => reject(new Error(`no answer in ${patience_ms / 1000} s`)), patience_ms);
+      const failed = (event: Event) => reject(new Error((event as ErrorEvent).message || 'the worker stopped'));
+      worker?.addEventListener('error', failed);
+      void reply.then(resolve, reject).finally(() => {
+        clearTimeout(timer);
+        worker?.removeEventListener('error', failed);
+      });
+    });
+  }
+
+  private async startWorker(): Promise<Remote<SolverService>> {
+    this.worker = this.options.createWorker();
+    const service = wrap<SolverService>(this.worker);
+    await this.untilFailure(service.start(this.options.wasmBinary));
+    this.service = service;
+    return service;
+  }
+
+  private async replaceWorker(): Promise<void> {
+    this.worker?.terminate();
+    this.worker = null;
+    this.service = null;
+    if (!this.lastGood) return;
+    const { problem, request, checkpoint } = this.lastGood;
+    const service = await this.startWorker();
+    const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false };
+    await this.untilFailure(service.open(problem, restored, checkpoint));
+  }
+}

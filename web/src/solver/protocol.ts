@@ -1,0 +1,64 @@
+import type { Frame } from './frame.ts';
+import type { Parameters, Status } from './module.ts';
+
+/** What the solver needs of a scene. */
+export interface Problem {
+  /** #V×3, m. */
+  V: Float64Array;
+  /** #E×2. */
+  E: Int32Array;
+  /** #V, kg. */
+  m: Float64Array;
+}
+
+export interface Pins {
+  /** #pinned, indices into the rows of V. */
+  pinned: Int32Array;
+  /** #pinned×3, m: where each is held. */
+  targets: Float64Array;
+}
+
+/** Where the cursor goes. `stay` shows the same place again, under what has changed since. */
+export type Command =
+  | { kind: 'stay' }
+  | { kind: 'play'; steps: number }
+  | { kind: 'seek'; half_step: number }
+  | { kind: 'next_half_step' }
+  | { kind: 'previous_half_step' }
+  | { kind: 'next_step' }
+  | { kind: 'previous_step' }
+  | { kind: 'reset' };
+
+/** Every request carries all the settings: the worker keeps none that the page could lose or contradict. */
+export interface Request {
+  parameters: Parameters;
+  pins: Pins;
+  command: Command;
+  selectedVertex: number | null;
+  /** Trace this time step to its end, so that the plot shows where the iteration is going. */
+  wholeTrace: boolean;
+}
+
+/** Enough to put a new solver exactly where this one stood. Arrays are #V×3, m. */
+export interface Checkpoint {
+  step: number;
+  half_step: number;
+  p_curr: Float64Array;
+  p_prev: Float64Array;
+}
+
+export type Outcome<T> = { ok: true; value: T } | { ok: false; status: Status };
+
+export interface Reply {
+  frame: Frame;
+  checkpoint: Checkpoint;
+}
+
+/** The worker's side, as comlink exposes it. */
+export interface SolverService {
+  /** Compiles the module. Call once, before anything else. */
+  start(wasmBinary: ArrayBuffer): Promise<void>;
+  /** Opens a problem, at rest or where `from` says. On failure the problem open before stays. */
+  open(problem: Problem, request: Request, from: Checkpoint | null): Promise<Outcome<Reply>>;
+  run(request: Request): Promise<Outcome<Reply>>;
+}

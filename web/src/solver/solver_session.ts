@@ -1,0 +1,87 @@
+import { readFrame } from './read_frame.ts';
+import type { Simulation, SolverModule, Status } from './module.ts';
+import type { Checkpoint, Command, Outcome, Problem, Reply, Request } from './protocol.ts';
+
+const ok: Status = { code: 'ok', field: '', index: -1, value: 0 };
+
+/** Owns one Simulation of the module and answers requests. Runs in the worker; knows neither worker nor page. */
+export class SolverSession {
+  private readonly simulation: Simulation;
+
+  constructor(module: SolverModule) {
+    this.simulation = new module.Simulation();
+  }
+
+  open(problem: Problem, request: Request, from: Checkpoint | null): Outcome<Reply> {
+    const started = performance.now();
+    const { parameters, pins } = request;
+    let status = this.simulation.set_scene(problem.V, problem.E, problem.m, pins.pinned, parameters);
+    if (status.code === 'ok') status = this.simulation.set_pins(pins.pinned, pins.targets);
+    if (status.code === 'ok' && from)
+      status = this.simulation.set_state(from.step, from.p_curr, from.p_prev, from.half_step);
+    return this.reply(status, request, started);
+  }
+
+  run(request: Request): Outcome<Reply> {
+    const started = performance.now();
+    let status = this.simulation.set_parameters(request.parameters);
+    if (status.code === 'ok') status = this.simulation.set_pins(request.pins.pinned, request.pins.targets);
+    if (status.code === 'ok') status = this.move(request.command);
+    return this.reply(status, request, started);
+  }
+
+  private move(command: Command): Status {
+    const s = this.simulation;
+    const here = s.half_step();
+    switch (command.kind) {
+      case 'stay':
+        return s.seek(here);
+      case 'seek':
+        return s.seek(command.half_step);
+      case 'next_half_step':
+        return here < s.last_half_step() ? s.seek(here + 1) : s.next_step();
+      case 'previous_half_step':
+        if (here > 0) return s.seek(here - 1);
+        s.previous_step();
+        return ok;
+      case 'next_step':
+        return s.step();
+      case 'previous_step':
+        s.previous_step();
+        return ok;
+      case 'reset':
+        return s.reset();
+      case 'play': {
+        for (let step = 0; step < command.steps; step++) {
+          const status = s.step();
+          if (status.code !== 'ok') return status;
+        }
+        return ok;
+      }
+    }
+  }
+
+  private reply(status: Status, request: Request, started: number): Outcome<Reply> {
+    if (status.code !== 'ok') return { ok: false, status };
+    const s = this.simulation;
+    const playing = request.command.kind === 'play';
+    if (request.wholeTrace) {
+      const here = s.half_step();
+      const traced = s.seek(s.last_half_step());
+      if (traced.code !== 'ok') return { ok: false, status: traced };
+      s.seek(here);
+    }
+    const frame = readFrame(s, { selectedVertex: request.selectedVertex, events: !playing });
+    frame.milliseconds = performance.now() - started;
+    return { ok: true, value: { frame, checkpoint: readCheckpoint(s) } };
+  }
+}
+
+function readCheckpoint(s: Simulation): Checkpoint {
+  return {
+    step: s.step_number(),
+    half_step: s.half_step(),
+    p_curr: s.p_curr().slice(),
+    p_prev: s.p_prev().slice(),
+  };
+}

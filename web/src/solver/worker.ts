@@ -1,0 +1,37 @@
+import createSolver from '#wasm/solver.js';
+import { expose, transfer } from 'comlink';
+import type { Outcome, Problem, Reply, Request, SolverService, Checkpoint } from './protocol.ts';
+import { SolverSession } from './solver_session.ts';
+
+let session: SolverSession | null = null;
+
+function theSession(): SolverSession {
+  if (!session) throw new Error('the solver was asked before it was started');
+  return session;
+}
+
+/** Hands the arrays of a reply over instead of copying them. */
+function send(outcome: Outcome<Reply>): Outcome<Reply> {
+  if (!outcome.ok) return outcome;
+  const { frame, checkpoint } = outcome.value;
+  const arrays = [frame.p, frame.pBefore, frame.prediction, frame.targets, checkpoint.p_curr, checkpoint.p_prev];
+  if (frame.d) arrays.push(frame.d);
+  return transfer(
+    outcome,
+    arrays.map((array) => array.buffer),
+  );
+}
+
+const service: SolverService = {
+  async start(wasmBinary: ArrayBuffer) {
+    session = new SolverSession(await createSolver({ wasmBinary }));
+  },
+  async open(problem: Problem, request: Request, from: Checkpoint | null) {
+    return send(theSession().open(problem, request, from));
+  },
+  async run(request: Request) {
+    return send(theSession().run(request));
+  },
+};
+
+expose(service);
