@@ -1,0 +1,63 @@
+import { fillTemplate } from '../lib/fill_template.ts';
+
+/** What can be wrong with a scene's files, in English. A translation is another table with these keys. */
+export const sceneMessages = {
+  in_file: '{{file}}: {{problem}}',
+  at_line: '{{file}} line {{line}}: {{problem}}',
+  at_field: '{{file}} {{field}}: {{problem}}',
+
+  unreadable_file: 'cannot read {{value}}',
+  not_json: 'column {{column}}: not JSON from {{value}} on',
+  json_ends_early: 'column {{column}}: the JSON ends too early',
+  missing: 'this field is missing',
+  empty: 'this text is empty',
+  not_an_object: '{{value}} is not an object in braces',
+  not_a_list: '{{value}} is not a list',
+  not_a_text: '{{value}} is not a text in quotes',
+  not_a_number: '{{value}} is not a finite number',
+  not_a_whole_number: '{{value}} is not a whole number',
+  not_positive: '{{value}} is not positive',
+  too_small: '{{value}} is less than {{minimum}}',
+  too_large: '{{value}} is more than {{maximum}}',
+
+  too_few_numbers: '{{value}} numbers of {{minimum}}',
+  too_few_vertices: '{{value}} vertices of {{minimum}}',
+  not_an_index: '{{value}} is not a vertex number',
+  vertex_out_of_range: 'vertex {{value}} of {{count}}',
+  texture_vertex_out_of_range: 'texture vertex {{value}} of {{count}}',
+  self_spring: 'vertex {{value}} is joined to itself',
+  too_many_vertices: '{{value}} vertices are more than {{maximum}}',
+  too_many_springs: '{{value}} springs are more than {{maximum}}',
+  no_vertices: 'there are no vertices',
+  no_springs: 'there are no springs',
+
+  duplicate_pin: 'vertex {{value}} is pinned twice',
+  no_mass: 'this field is missing, and vertex {{value}} is in no triangle whose area could give it one',
+  no_texture_coordinates: '{{value}} lacks texture coordinates on some corner',
+};
+
+export type SceneMessages = typeof sceneMessages;
+export type SceneErrorCode = Exclude<keyof SceneMessages, 'in_file' | 'at_line' | 'at_field'>;
+
+/** A file at fault, and where in it: a line of text, or a field such as "b[2]". */
+export type Place = { file: string } | { file: string; line: number } | { file: string; field: string };
+
+/** What is wrong, where, and the values that the sentence needs. */
+export interface SceneError {
+  code: SceneErrorCode;
+  place: Place;
+  params: Record<string, string | number>;
+}
+
+export function isSceneError(result: object): result is SceneError {
+  return 'code' in result;
+}
+
+/** One line, e.g. "net.obj line 17: vertex 12 of 10". */
+export function describeSceneError(
+  { code, place, params }: SceneError,
+  messages: SceneMessages = sceneMessages,
+): string {
+  const where = 'line' in place ? messages.at_line : 'field' in place ? messages.at_field : messages.in_file;
+  return fillTemplate(where, { ...place, problem: fillTemplate(messages[code], params) });
+}
