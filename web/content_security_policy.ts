@@ -1,0 +1,10 @@
+/** What the page may load and run: only its own files. Static hosts send no headers of ours, so the built page carries it itself. */
+export const contentSecurityPolicy = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "style-src 'self' 'unsafe-inline'", // KaTeX places its boxes by style attributes
+  "img-src 'self' data: blob:", // blob: pictures that the user opens; data: cursors and masks in styles
+  "object-src 'none'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
