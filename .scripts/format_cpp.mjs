@@ -4,10 +4,9 @@ import { readdirSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
-const folders = ['wasm/core', 'wasm/bindings', 'tests/wasm/native', 'tests/bench/native'];
-const files = folders.flatMap((folder) =>
+const files = ['wasm', 'tests'].flatMap((folder) =>
   readdirSync(folder, { recursive: true, encoding: 'utf8' })
-    .filter((file) => /\.(h|cpp)$/.test(file))
+    .filter((file) => /\.(h|cpp)$/.test(file) && !/\bbuild\b/.test(file))
     .map((file) => join(folder, file)),
 );
 const clangFormat = createRequire(import.meta.url).resolve('@wasm-fmt/clang-format/clang-format-cli.cjs');
