@@ -1,0 +1,26 @@
+/** Makes every scene of this folder by rule: `npx tsx scenes/generate.ts [folder to write to]`. */
+import { mkdir, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { toJSONSchema } from 'zod/mini';
+import { sceneFileSchema } from '../web/src/scene/scene_file.ts';
+import { chain } from './rules/chain.ts';
+import { flag } from './rules/flag.ts';
+import { net } from './rules/net.ts';
+import { singleSpring } from './rules/single_spring.ts';
+import { skirt } from './rules/skirt.ts';
+import { tower } from './rules/tower.ts';
+import { writtenScene } from './rules/written_scene.ts';
+
+const folder = process.argv[2] ?? import.meta.dirname;
+
+const files = [singleSpring(), chain(), net(), flag(), skirt(), tower()].flatMap((scene) => [...writtenScene(scene)]);
+files.push([
+  'schema/scene.schema.json',
+  `${JSON.stringify(toJSONSchema(sceneFileSchema, { io: 'input' }), null, 2)}\n`,
+]);
+
+for (const [name, content] of files) {
+  const path = join(folder, name);
+  await mkdir(dirname(path), { recursive: true });
+  await writeFile(path, content);
+}

@@ -1,0 +1,29 @@
+import { flagPicture } from './flag_picture.ts';
+import { gridCorners, gridTriangles } from './grid.ts';
+import type { MadeScene, Point } from './made_scene.ts';
+
+const columns = 80;
+const rows = 40;
+const cell = 0.0225; // m: 1.8 m by 0.9 m
+
+/** A flag held along its left edge. */
+export function flag(): MadeScene {
+  const at = (column: number, row: number) => column * (rows + 1) + row;
+  const triangles = gridTriangles(columns, rows, at);
+  return {
+    name: 'flag',
+    vertices: gridCorners(
+      columns,
+      rows,
+      (column, row): Point => [cell * (column - columns / 2), cell * (row - rows / 2), 0],
+    ),
+    shape: {
+      triangles,
+      textureVertices: gridCorners(columns, rows, (column, row) => [column / columns, row / rows]),
+      textureTriangles: triangles,
+      picture: flagPicture(),
+    },
+    pinned: Array.from({ length: rows + 1 }, (_, row) => at(0, row)),
+    k: 1e5,
+  };
+}

@@ -1,0 +1,28 @@
+import type { Picture } from './picture.ts';
+
+/** A scene as a rule makes it, counted from 0, before it is written down. */
+export interface MadeScene {
+  /** Base name of its files. */
+  name: string;
+  /** m: rest positions. */
+  vertices: Point[];
+  /** A network of springs, or a surface whose edges are the springs. */
+  shape: { springs: Spring[] } | Surface;
+  pinned: number[];
+  /** N/m. */
+  k: number;
+  /** kg, of each vertex; a surface may leave its masses to its area. */
+  m?: number;
+}
+
+export type Point = [x: number, y: number, z: number];
+export type Spring = [i: number, j: number];
+export type Triangle = [number, number, number];
+
+export interface Surface {
+  triangles: Triangle[];
+  textureVertices: [u: number, v: number][];
+  /** Indices of texture vertices, corner by corner with `triangles`. */
+  textureTriangles: Triangle[];
+  picture: Picture;
+}

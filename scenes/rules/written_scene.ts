@@ -1,0 +1,46 @@
+import { encode } from 'fast-png';
+import type { MadeScene } from './made_scene.ts';
+
+/** The files of a scene: name → content. */
+export function writtenScene(scene: MadeScene): Map<string, string | Uint8Array> {
+  const { name, shape } = scene;
+  const files = new Map<string, string | Uint8Array>([
+    [`${name}.json`, sceneText(scene)],
+    [`${name}.obj`, objText(scene)],
+  ]);
+  if ('picture' in shape) {
+    const { width, height, pixels } = shape.picture;
+    files.set(`${name}.png`, encode({ width, height, data: pixels, channels: 3, depth: 8 }, { zlib: { level: 9 } }));
+  }
+  return files;
+}
+
+function sceneText({ name, shape, pinned, k, m }: MadeScene): string {
+  const fields = [`"obj": "${name}.obj"`];
+  if ('picture' in shape) fields.push(`"png": "${name}.png"`);
+  fields.push(`"k": ${k}`);
+  if (m !== undefined) fields.push(`"m": ${m}`);
+  fields.push(`"b": [${pinned.map((i) => i + 1).join(', ')}]`);
+  return `{\n  ${fields.join(',\n  ')}\n}\n`;
+}
+
+function objText({ name, vertices, shape }: MadeScene): string {
+  const lines = [`# ${name}: made by scenes/generate.ts`];
+  for (const point of vertices) lines.push(`v ${point.map(decimals).join(' ')}`);
+  if ('springs' in shape) {
+    for (const [i, j] of shape.springs) lines.push(`f ${i + 1} ${j + 1}`);
+  } else {
+    for (const uv of shape.textureVertices) lines.push(`vt ${uv.map(decimals).join(' ')}`);
+    for (const [f, triangle] of shape.triangles.entries()) {
+      const corners = triangle.map((i, corner) => `${i + 1}/${shape.textureTriangles[f][corner] + 1}`);
+      lines.push(`f ${corners.join(' ')}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** Five decimals: 0.01 mm, coarse enough that the last digits of a machine's sines never show. */
+function decimals(value: number): string {
+  const rounded = Number(value.toFixed(5));
+  return String(rounded === 0 ? 0 : rounded); // no −0
+}
