@@ -1,0 +1,55 @@
+import { displacement } from './displacements.ts';
+import { exaggerations, quantile, settle, strainRanges } from './exaggeration.ts';
+import { springLength } from './spring_segments.ts';
+import type { Stage } from './stages.ts';
+import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
+
+/** CSS pixels that automatic exaggeration aims at, for the gap between torn pieces and for arrows. */
+const gapPixels = 10;
+const arrowPixels = 24;
+/** A gap wider than this share of a spring would leave too little of the piece. */
+const gapShare = 0.35;
+
+/** Chooses the automatic scales, and remembers them so that they change seldom. */
+export class LegendScales {
+  private readonly model: Scene3DModel;
+  private automatic: Scene3DLegend | null = null;
+  private chosen: Scene3DLegend | null = null;
+
+  constructor(model: Scene3DModel) {
+    this.model = model;
+  }
+
+  /** The same object as before when no number changes. `springPixels`: a typical spring on the screen, CSS pixels. */
+  choose(stage: Stage, options: Scene3DOptions, pixelsPerMetre: number, springPixels: number): Scene3DLegend {
+    const { E, r } = this.model;
+    const { torn, ghost, to } = stage;
+    const before = this.automatic;
+    const gap = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) - r[e]), 0.8) * pixelsPerMetre;
+    const strain = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) / r[e] - 1), 0.95);
+    const moved = ghost && quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre;
+    const idealGap = Math.min(gapPixels, gapShare * springPixels);
+    this.automatic = {
+      localExaggeration: settle(idealGap / gap, before?.localExaggeration, exaggerations),
+      globalExaggeration: moved
+        ? settle(arrowPixels / moved, before?.globalExaggeration, exaggerations)
+        : (before?.globalExaggeration ?? 1),
+      strainRange: settle(strain, before?.strainRange, strainRanges),
+    };
+
+    const { exaggeration, strainRange } = options;
+    const wanted = { ...this.automatic };
+    if (exaggeration !== 'automatic') wanted.localExaggeration = wanted.globalExaggeration = exaggeration;
+    if (strainRange !== 'automatic') wanted.strainRange = strainRange;
+    if (!this.chosen || !sameLegend(this.chosen, wanted)) this.chosen = wanted;
+    return this.chosen;
+  }
+}
+
+function sameLegend(a: Scene3DLegend, b: Scene3DLegend): boolean {
+  return (
+    a.localExaggeration === b.localExaggeration &&
+    a.globalExaggeration === b.globalExaggeration &&
+    a.strainRange === b.strainRange
+  );
+}

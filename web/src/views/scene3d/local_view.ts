@@ -1,0 +1,62 @@
+import { Scene } from 'three';
+import type { Ink } from './ink.ts';
+import { Overlay } from './overlay.ts';
+import type { Palette } from './palette.ts';
+import { Segments } from './segments.ts';
+import { pieceSegments, springLength, springSegments } from './spring_segments.ts';
+import type { Stage } from './stages.ts';
+import { StrainColourTable } from './strain_colour.ts';
+import type { Strokes } from './strokes.ts';
+import type { Scene3DFrame, Scene3DLegend, Scene3DModel } from './types.ts';
+
+/** The net torn into springs, each alone at its projection, over the ghost of the net. */
+export class LocalView {
+  readonly scene = new Scene();
+  readonly segments: Segments;
+  readonly overlay: Overlay;
+  /** #V×3, metres: the net that is torn. */
+  points: Float64Array;
+  private readonly model: Scene3DModel;
+  private readonly ghost: Segments;
+
+  constructor(ink: Ink, model: Scene3DModel) {
+    this.model = model;
+    this.points = model.V;
+    this.segments = new Segments(ink, model.r.length, 'among');
+    this.ghost = new Segments(ink, model.r.length, 'beneath');
+    this.overlay = new Overlay(ink, model.V.length / 3);
+    this.scene.add(this.ghost.mesh, this.segments.mesh, this.overlay.group);
+  }
+
+  setStyle(palette: Palette, strokes: Strokes): void {
+    this.ghost.setStyle({ width: strokes.ghost, dot: 0, head: 0, halo: 0 }, palette.background);
+    this.segments.setStyle(
+      { width: strokes.spring, dot: strokes.pieceDot, head: 0, halo: strokes.halo },
+      palette.background,
+    );
+    this.overlay.setStyle(palette, strokes);
+  }
+
+  update(d: Scene3DFrame['d'], stage: Stage, palette: Palette, legend: Scene3DLegend): void {
+    const { E, r } = this.model;
+    this.points = stage.torn;
+    this.ghost.fill(palette.ghost);
+    springSegments(stage.torn, E, this.ghost.ends);
+    this.ghost.commitEnds();
+
+    if (d) pieceSegments(stage.torn, E, r, d, legend.localExaggeration, stage.tear, this.segments.ends);
+    else springSegments(stage.torn, E, this.segments.ends);
+    this.segments.commitEnds();
+
+    const colours = new StrainColourTable(palette.strain);
+    for (let e = 0; e < r.length; e++) {
+      const strain = springLength(stage.torn, E, e) / r[e] - 1;
+      colours.write(strain, legend.strainRange, this.segments.colours, 4 * e);
+    }
+    this.segments.commitColours();
+  }
+
+  dispose(): void {
+    for (const part of [this.ghost, this.segments, this.overlay]) part.dispose();
+  }
+}

@@ -1,0 +1,200 @@
+import { WebGLRenderer } from 'three';
+import { createInk, setInkColour } from './ink.ts';
+import { type DrawnView, Interaction } from './interaction.ts';
+import { OrbitCamera } from './orbit_camera.ts';
+import { lightPalette } from './palette.ts';
+import { projectPoints, worldToClip } from './projection.ts';
+import { SceneContent } from './scene_content.ts';
+import {
+  type CameraState,
+  type Hit,
+  NoWebGLError,
+  type Rectangle,
+  type Scene3DCallbacks,
+  type Scene3DFrame,
+  type Scene3DLegend,
+  type Scene3DModel,
+  type Scene3DOptions,
+  type ScreenPoint,
+  type ViewName,
+} from './types.ts';
+
+/** More device pixels than this in a CSS pixel cost without being seen. */
+const mostPixelRatio = 2;
+
+/** Two views of one simulation: one renderer, one canvas, one camera. It draws when `render()` is called and never by itself. */
+export class Scene3D {
+  private readonly canvas: HTMLCanvasElement;
+  private readonly callbacks: Scene3DCallbacks;
+  private readonly renderer: WebGLRenderer;
+  private readonly ink = createInk();
+  private readonly orbitCamera = new OrbitCamera();
+  private readonly interaction: Interaction;
+  private readonly stop = new AbortController();
+  private content: SceneContent | null = null;
+  /** Whether the camera has been set for this scene. */
+  private framed = false;
+  private legend: Scene3DLegend | null = null;
+  private rectangles: Record<ViewName, Rectangle | null> = { local: null, global: null };
+  private options: Scene3DOptions = {
+    exaggeration: 'automatic',
+    showSprings: true,
+    showSurface: true,
+    selectedSpring: null,
+    selectedVertex: null,
+    palette: lightPalette,
+    strainRange: 'automatic',
+  };
+
+  constructor(canvas: HTMLCanvasElement, callbacks: Scene3DCallbacks) {
+    this.canvas = canvas;
+    this.callbacks = callbacks;
+    const context = canvas.getContext('webgl2', { antialias: true, alpha: false });
+    if (!context) throw new NoWebGLError('This browser gives no WebGL 2 context.');
+    this.renderer = new WebGLRenderer({ canvas, context });
+    this.renderer.autoClear = false;
+    this.interaction = new Interaction(canvas, this.orbitCamera, (x, y) => this.viewAt(x, y), callbacks);
+    const { signal } = this.stop;
+    canvas.addEventListener('webglcontextlost', () => callbacks.onContextLost(), { signal });
+    canvas.addEventListener('webglcontextrestored', () => callbacks.onInvalidate(), { signal });
+  }
+
+  /** Replaces the scene; it rests, unpinned, until a frame is set. The next drawing frames it, unless `setCamera` comes first. */
+  setScene(model: Scene3DModel): void {
+    this.content?.dispose();
+    this.content = new SceneContent(this.ink, model, () => this.callbacks.onInvalidate());
+    this.interaction.hovered = null;
+    this.orbitCamera.setScene(model.V);
+    this.framed = false;
+    this.callbacks.onInvalidate();
+  }
+
+  /** `progress`: how much of the tear (at local) or the stitch (at global) has been animated, 0 … 1. */
+  setFrame(frame: Scene3DFrame, progress = 1): void {
+    this.content?.setFrame(frame, progress);
+    this.callbacks.onInvalidate();
+  }
+
+  setOptions(options: Partial<Scene3DOptions>): void {
+    this.options = { ...this.options, ...options };
+    this.callbacks.onInvalidate();
+  }
+
+  /** Where the views lie on the canvas; null hides one. To be called whenever the canvas changes its size, too. */
+  setViewports(local: Rectangle | null, global: Rectangle | null): void {
+    this.rectangles = { local, global };
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, mostPixelRatio));
+    this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
+    this.callbacks.onInvalidate();
+  }
+
+  render(): void {
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(this.options.palette.background);
+    this.renderer.clear();
+    if (!this.content || this.shownViews().length === 0) return;
+
+    if (!this.framed) this.orbitCamera.fit(this.narrowestAspect());
+    this.framed = true;
+    const { camera } = this.orbitCamera;
+    const legend = this.content.refresh(this.options, this.pixelsPerMetre(), this.interaction.hovered, camera.position);
+    if (legend !== this.legend) this.callbacks.onLegend(legend);
+    this.legend = legend;
+
+    this.renderer.setScissorTest(true);
+    for (const { name, rectangle } of this.shownViews()) {
+      const { x, y, width, height } = rectangle;
+      const bottom = this.canvas.clientHeight - y - height;
+      this.renderer.setViewport(x, bottom, width, height);
+      this.renderer.setScissor(x, bottom, width, height);
+      this.orbitCamera.setAspect(width / height);
+      this.prepareInk(this.content, rectangle);
+      this.renderer.render(this.content.views[name].scene, camera);
+    }
+  }
+
+  get camera(): CameraState {
+    return this.orbitCamera.state;
+  }
+
+  setCamera(state: CameraState): void {
+    this.orbitCamera.state = state;
+    this.framed = true;
+    this.callbacks.onInvalidate();
+  }
+
+  /** Frames the whole scene. */
+  fit(): void {
+    this.interaction.moveCamera((camera) => camera.fit(this.narrowestAspect()));
+  }
+
+  /** Radians. */
+  orbit(azimuth: number, polar: number): void {
+    this.interaction.moveCamera((camera) => camera.orbit(azimuth, polar));
+  }
+
+  /** Nearer by a factor over 1. */
+  zoom(factor: number): void {
+    this.interaction.moveCamera((camera) => camera.zoom(factor));
+  }
+
+  /** What lies under a place of the page (client coordinates). */
+  pick(clientX: number, clientY: number, pointerType = 'mouse'): Hit | null {
+    const bounds = this.canvas.getBoundingClientRect();
+    return this.interaction.pick(clientX - bounds.left, clientY - bounds.top, pointerType);
+  }
+
+  /** CSS pixels of the canvas at which a view shows a vertex; null when it is behind the camera or the view hidden. */
+  projectToScreen(vertex: number, name: ViewName): ScreenPoint | null {
+    const rectangle = this.rectangles[name];
+    if (!rectangle || !this.content) return null;
+    const point = this.content.views[name].points.slice(3 * vertex, 3 * vertex + 3);
+    this.orbitCamera.setAspect(rectangle.width / rectangle.height);
+    const [x, y] = projectPoints(point, worldToClip(this.orbitCamera.camera), rectangle);
+    return Number.isNaN(x) ? null : { x, y };
+  }
+
+  dispose(): void {
+    this.stop.abort();
+    this.interaction.dispose();
+    this.content?.dispose();
+    this.renderer.dispose();
+  }
+
+  private shownViews(): { name: ViewName; rectangle: Rectangle }[] {
+    return (['local', 'global'] as const).flatMap((name) => {
+      const rectangle = this.rectangles[name];
+      return rectangle ? [{ name, rectangle }] : [];
+    });
+  }
+
+  private narrowestAspect(): number {
+    return Math.min(...this.shownViews().map(({ rectangle }) => rectangle.width / rectangle.height));
+  }
+
+  /** At the camera's target. */
+  private pixelsPerMetre(): number {
+    return this.orbitCamera.pixelsPerMetre(Math.max(1, ...this.shownViews().map(({ rectangle }) => rectangle.height)));
+  }
+
+  private prepareInk(content: SceneContent, { width, height }: Rectangle): void {
+    const pixelRatio = this.renderer.getPixelRatio();
+    const { distance, sceneRadius } = this.orbitCamera;
+    this.ink.viewport.value.set(width, height).multiplyScalar(pixelRatio);
+    this.ink.pixelRatio.value = pixelRatio;
+    setInkColour(this.ink.background.value, this.options.palette.background);
+    this.ink.fadeFrom.value = distance;
+    this.ink.fadeTo.value = distance + 2 * sceneRadius;
+    this.ink.haloDepth.value = content.typicalRestLength / 2;
+  }
+
+  private viewAt(x: number, y: number): DrawnView | null {
+    const shown = this.shownViews().find(({ rectangle: r }) => {
+      return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
+    });
+    if (!shown || !this.content) return null;
+    const { points, segments } = this.content.views[shown.name];
+    const { frame, typicalRestLength } = this.content;
+    return { ...shown, points, ends: segments.ends, frame, springPixels: typicalRestLength * this.pixelsPerMetre() };
+  }
+}

@@ -1,0 +1,138 @@
+import {
+  Color,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+} from 'three';
+import { parseColour } from './colour.ts';
+import { createInkMesh, type Ink, type Layer, setInkColour } from './ink.ts';
+
+/** CSS pixels. */
+export interface SegmentStyle {
+  width: number;
+  /** Radius of the dot at either end; 0 for none. */
+  dot: number;
+  /** Length of the arrow head at the end; 0 for none. */
+  head: number;
+  halo: number;
+}
+
+/** Line segments of a width in pixels with round ends, dots or arrow heads. Fill `ends` and `colours`, then `commit()`. */
+export class Segments {
+  /** capacity×6, metres: start and end. */
+  readonly ends: Float32Array;
+  /** capacity×4, sRGB bytes; the fourth only aligns. */
+  readonly colours: Uint8Array;
+  readonly mesh: ReturnType<typeof createInkMesh>;
+
+  private readonly endsBuffer: InstancedInterleavedBuffer;
+  private readonly colourAttribute: InstancedBufferAttribute;
+  private readonly uniforms = {
+    width: { value: 1 },
+    dotRadius: { value: 0 },
+    head: { value: 0 },
+    halo: { value: 0 },
+    haloColour: { value: new Color() },
+  };
+
+  constructor(ink: Ink, capacity: number, layer: Layer) {
+    this.ends = new Float32Array(6 * capacity);
+    this.colours = new Uint8Array(4 * capacity);
+    this.endsBuffer = new InstancedInterleavedBuffer(this.ends, 6).setUsage(DynamicDrawUsage);
+    this.colourAttribute = new InstancedBufferAttribute(this.colours, 4, true).setUsage(DynamicDrawUsage);
+    this.mesh = createInkMesh(ink, this.uniforms, vertexMain, fragmentMain, layer);
+    this.mesh.geometry.setAttribute('start', new InterleavedBufferAttribute(this.endsBuffer, 3, 0));
+    this.mesh.geometry.setAttribute('end', new InterleavedBufferAttribute(this.endsBuffer, 3, 3));
+    this.mesh.geometry.setAttribute('colour', this.colourAttribute);
+    this.mesh.geometry.instanceCount = capacity;
+  }
+
+  setStyle({ width, dot, head, halo }: SegmentStyle, haloColour: string): void {
+    this.uniforms.width.value = width;
+    this.uniforms.dotRadius.value = dot;
+    this.uniforms.head.value = head;
+    this.uniforms.halo.value = halo;
+    setInkColour(this.uniforms.haloColour.value, haloColour);
+  }
+
+  /** One colour for all of them. */
+  fill(hex: string): void {
+    const [red, green, blue] = parseColour(hex);
+    for (let c = 0; c < this.colours.length; c += 4) {
+      this.colours[c] = red;
+      this.colours[c + 1] = green;
+      this.colours[c + 2] = blue;
+    }
+    this.colourAttribute.needsUpdate = true;
+  }
+
+  commitEnds(): void {
+    this.endsBuffer.needsUpdate = true;
+  }
+
+  commitColours(): void {
+    this.colourAttribute.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}
+
+const vertexMain = /* glsl */ `
+  uniform float width;
+  uniform float dotRadius;
+  uniform float head;
+  attribute vec3 start;
+  attribute vec3 end;
+  attribute vec3 colour;
+  varying vec2 point;
+  varying float extent;
+  varying vec3 strokeColour;
+
+  void main() {
+    vec3 a = (modelViewMatrix * vec4(start, 1.0)).xyz;
+    vec3 b = (modelViewMatrix * vec4(end, 1.0)).xyz;
+    float near = projectionMatrix[3][2] / (projectionMatrix[2][2] - 1.0);
+    if (a.z > -near && b.z > -near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+    if (a.z > -near) a = mix(b, a, (b.z + near) / (b.z - a.z));
+    if (b.z > -near) b = mix(a, b, (a.z + near) / (a.z - b.z));
+
+    vec2 from = toPixels(a);
+    vec2 to = toPixels(b);
+    extent = distance(from, to);
+    vec2 direction = extent > 0.0 ? (to - from) / extent : vec2(1.0, 0.0);
+    float margin = (max(max(0.5 * width, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
+    bool atStart = position.y < 0.0;
+    point = vec2(atStart ? -margin : extent + margin, position.x * margin);
+    strokeColour = colour;
+    place(from + point.x * direction + point.y * vec2(-direction.y, direction.x), atStart ? a : b);
+  }
+`;
+
+const fragmentMain = /* glsl */ `
+  uniform float width;
+  uniform float dotRadius;
+  uniform float head;
+  varying vec2 point;
+  varying float extent;
+  varying vec3 strokeColour;
+
+  float arrowHead(float headLength) {
+    float halfWidth = 0.42 * headLength;
+    float side = dot(vec2(point.x - extent, abs(point.y)), normalize(vec2(halfWidth, headLength)));
+    return max(side, extent - headLength - point.x);
+  }
+
+  void main() {
+    float headLength = min(head * pixelRatio, extent);
+    float shaft = extent - headLength;
+    float shape = length(vec2(point.x - clamp(point.x, 0.0, shaft), point.y)) - 0.5 * width * pixelRatio;
+    float dots = min(length(point), length(point - vec2(extent, 0.0))) - dotRadius * pixelRatio;
+    if (dotRadius > 0.0) shape = min(shape, dots);
+    if (head > 0.0) shape = min(shape, arrowHead(headLength));
+    paint(shape, strokeColour);
+  }
+`;

@@ -1,0 +1,44 @@
+import type { Scene3DFrame } from './types.ts';
+
+/** What the two views show of a frame. Nothing moves in both at once: local tears the left view, global stitches the right one. */
+export interface Stage {
+  /** #V×3: the net whose springs are projected, in the local view. */
+  torn: Float64Array;
+  /** 0 whole … 1 projected. */
+  tear: number;
+  /** #V×3: the global view's net is (1 − move) from + move to. */
+  from: Float64Array;
+  to: Float64Array;
+  move: number;
+  /** #V×3: where this half-step's movement is drawn from or to, or null when it moves no vertex. */
+  ghost: Float64Array | null;
+  /** 0 … 1: how far ghost and arrows have come out. */
+  reveal: number;
+  /** Whether arrows point to the ghost (a prediction) or from it (a place left behind). */
+  towardsGhost: boolean;
+}
+
+/** A pure function of the frame and of how much of its animation has passed, 0 … 1. */
+export function stageOf(frame: Scene3DFrame, progress: number): Stage {
+  const { phase, p, pBefore, d, prediction } = frame;
+  const still = { from: p, to: p, move: 1, ghost: null, reveal: 0, towardsGhost: false };
+  switch (phase) {
+    case 'predict':
+      return { ...still, torn: p, tear: 0, ghost: prediction, reveal: progress, towardsGhost: true };
+    case 'local':
+      return { ...still, torn: p, tear: d ? progress : 0 };
+    case 'global':
+      return {
+        torn: pBefore,
+        tear: d ? 1 : 0,
+        from: pBefore,
+        to: p,
+        move: progress,
+        ghost: pBefore,
+        reveal: progress,
+        towardsGhost: false,
+      };
+    case 'accept':
+      return { ...still, torn: pBefore, tear: d ? 1 : 0 };
+  }
+}

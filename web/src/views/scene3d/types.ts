@@ -1,0 +1,81 @@
+import type { Scene } from '../../scene/scene.ts';
+import type { Frame } from '../../solver/frame.ts';
+import type { Palette } from './palette.ts';
+
+export type ViewName = 'local' | 'global';
+
+/** What stays the same while a scene is simulated. Allocates every buffer once. */
+export interface Scene3DModel extends Pick<Scene, 'V' | 'E' | 'F' | 'texture'> {
+  /** #E, metres: rest lengths. */
+  r: Float64Array;
+}
+
+/** What is drawn of a frame; nobody changes its arrays. At global and accept, d was computed from pBefore. */
+export type Scene3DFrame = Pick<Frame, 'phase' | 'p' | 'pBefore' | 'd' | 'prediction' | 'pinned' | 'targets'>;
+
+export interface Scene3DOptions {
+  /** Dimensionless factor on what a half-step moves, in both views; automatic makes it about ten pixels. */
+  exaggeration: number | 'automatic';
+  /** What the global view draws; springs anyway when the scene has no triangles. */
+  showSprings: boolean;
+  showSurface: boolean;
+  selectedSpring: number | null;
+  selectedVertex: number | null;
+  palette: Palette;
+  /** |strain| (dimensionless) drawn in full colour. */
+  strainRange: number | 'automatic';
+}
+
+/** What "automatic" came to: the legend says it. */
+export interface Scene3DLegend {
+  localExaggeration: number;
+  globalExaggeration: number;
+  strainRange: number;
+}
+
+export interface Hit {
+  view: ViewName;
+  kind: 'vertex' | 'spring';
+  index: number;
+}
+
+export interface Scene3DCallbacks {
+  /** Something changed that only `render()` will show: call it in the next animation frame. */
+  onInvalidate(): void;
+  /** A click or tap; null on empty space. */
+  onSelect(hit: Hit | null): void;
+  /** A click with shift on a vertex. */
+  onPinToggle(vertex: number): void;
+  onDragStart(vertex: number): void;
+  /** `target`: #3, metres. */
+  onDrag(vertex: number, target: Float64Array): void;
+  onDragEnd(vertex: number): void;
+  /** The pointer rests on something else than before, at CSS pixels of the canvas. */
+  onHover(hit: Hit | null, x: number, y: number): void;
+  onCameraChange(camera: CameraState): void;
+  onLegend(legend: Scene3DLegend): void;
+  onContextLost(): void;
+}
+
+/** Metres; the camera's up is +y. */
+export interface CameraState {
+  position: [number, number, number];
+  target: [number, number, number];
+}
+
+/** CSS pixels from the canvas's top left corner. */
+export interface Rectangle {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+export interface ScreenPoint {
+  x: number;
+  y: number;
+}
+
+export class NoWebGLError extends Error {
+  override name = 'NoWebGLError';
+}
