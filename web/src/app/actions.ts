@@ -1,9 +1,10 @@
 import type { Scene } from '../scene/scene.ts';
 import { limits } from './limits.ts';
+import { encodeLink } from './link.ts';
 import type { Language } from './messages/index.ts';
 import { language } from './messages/index.ts';
 import { notify } from './notices.ts';
-import { findScene, SceneProblem } from './scene_library.ts';
+import { findScene, openFiles, SceneProblem } from './scene_library.ts';
 import type { Session } from './session.ts';
 import {
   type Adjustable,
@@ -20,7 +21,11 @@ import {
 
 /** Everything a reader can do. The only writer of the state; views call these and nothing else. */
 export class Actions {
-  constructor(private readonly session: Session) {}
+  private readonly session: Session;
+
+  constructor(session: Session) {
+    this.session = session;
+  }
 
   // The clock and the cursor.
   play(): void {
@@ -114,6 +119,22 @@ export class Actions {
     this.change({ language: next });
   }
 
+  async copyLink(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(state.value));
+      notify('info', 'page.header.linkCopied');
+    } catch {
+      notify('info', 'page.header.linkFailed'); // clipboards need a secure page and permission
+    }
+  }
+
+  /** Opens a scene from files that the reader chose or dropped. */
+  async openFiles(files: readonly File[]): Promise<void> {
+    await this.reporting(async () => {
+      await this.openScene((await openFiles(files)).name);
+    });
+  }
+
   /** Opens a scene of the library with the scene's own parameters and pins. */
   async openScene(name: string): Promise<void> {
     await this.restore({
@@ -128,14 +149,21 @@ export class Actions {
 
   /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
   async restore(wanted: AppState): Promise<boolean> {
-    try {
+    let opened = false;
+    await this.reporting(async () => {
       const found = await findScene(wanted.scene);
       language.value = wanted.language;
-      return await this.session.open(found, { ...wanted, selection: selectionOn(found, wanted.selection) });
+      opened = await this.session.open(found, { ...wanted, selection: selectionOn(found, wanted.selection) });
+    });
+    return opened;
+  }
+
+  private async reporting(open: () => Promise<void>): Promise<void> {
+    try {
+      await open();
     } catch (problem) {
       if (!(problem instanceof SceneProblem)) throw problem;
       notify('error', problem.key, problem.params);
-      return false;
     }
   }
 
@@ -145,9 +173,9 @@ export class Actions {
 }
 
 function clamped<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): Adjustable[Name] {
-  if (name === 'wind') return value;
+  if (typeof value === 'boolean' || name === 'wind') return value;
   const { min, max } = limits[name as keyof typeof limits];
-  return Math.min(max, Math.max(min, value as number)) as Adjustable[Name];
+  return Math.min(max, Math.max(min, value)) as Adjustable[Name];
 }
 
 /** What of a selection exists on this scene; where nothing is chosen, a spring that hangs from a pin, which shows the most. */
@@ -155,10 +183,9 @@ function selectionOn(s: Scene, { spring, vertex }: Selection): Selection {
   const springCount = s.E.length / 2;
   const held = new Set(s.pinned);
   const hanging = Array.from({ length: springCount }, (_, e) => e).find(
-    (e) => held.has(s.E[2 * e] as number) !== held.has(s.E[2 * e + 1] as number),
+    (e) => held.has(s.E[2 * e]) !== held.has(s.E[2 * e + 1]),
   );
   const e = spring !== null && spring < springCount ? spring : (hanging ?? 0);
-  const [i, j] = [s.E[2 * e] as number, s.E[2 * e + 1] as number];
+  const [i, j] = [s.E[2 * e], s.E[2 * e + 1]];
   return { spring: e, vertex: vertex !== null && vertex < s.m.length ? vertex : held.has(i) ? j : i };
 }
-

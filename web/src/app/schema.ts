@@ -19,14 +19,13 @@ export const stateSchema = {
     iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
     wind: z.optional(z.boolean()),
   }),
-  pins: z.nullable(
-    z.array(z.strictObject({ vertex: index, target: z.nullable(point) })).check(z.maxLength(2000)),
-  ),
+  pins: z.nullable(z.array(z.strictObject({ vertex: index, target: z.nullable(point) })).check(z.maxLength(2000))),
   selection: z.strictObject({ spring: z.nullable(index), vertex: z.nullable(index) }),
   view: z.strictObject({
     exaggeration: z.union([z.literal('automatic'), z.number().check(z.gte(1), z.lte(1000))]),
     springs: z.boolean(),
     surface: z.boolean(),
+    projector: z.boolean(),
     camera: z.nullable(z.strictObject({ position: point, target: point })),
   }),
   language: z.enum(languages),

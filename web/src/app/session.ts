@@ -1,4 +1,4 @@
-import { effect, untracked } from '@preact/signals';
+import { batch, effect, untracked } from '@preact/signals';
 import type { Scene } from '../scene/scene.ts';
 import { type SolverClient, SolverCrash } from '../solver/client.ts';
 import type { Status } from '../solver/module.ts';
@@ -6,7 +6,7 @@ import type { Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
-import { type AppState, dragging, frame, parameters, pins, playing, scene, state } from './state.ts';
+import { type AppState, dragging, frame, parameters, pins, playing, r, scene, state } from './state.ts';
 
 /** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
 const longestQueue = 4;
@@ -25,7 +25,11 @@ export class Session {
   private halted = false;
   private accepted: Pick<AppState, 'parameters' | 'pins'> = { parameters: {}, pins: null };
 
-  constructor(private readonly client: SolverClient) {}
+  private readonly client: SolverClient;
+
+  constructor(client: SolverClient) {
+    this.client = client;
+  }
 
   /** Begins to follow the state and the display's refresh. */
   start(): void {
@@ -52,8 +56,9 @@ export class Session {
   async open(next: Scene, wanted: AppState): Promise<boolean> {
     while (this.current) await this.current;
     let opened = false;
-    this.current = this.openNow(next, wanted).then((result) => {
-      opened = result;
+    // Deferred, so that `current` holds everyone else off before the state is touched.
+    this.current = Promise.resolve().then(async () => {
+      opened = await this.openNow(next, wanted);
     });
     try {
       await this.current;
@@ -73,7 +78,10 @@ export class Session {
       const outcome = await this.client.open(next, this.request({ kind: 'stay' }));
       if (outcome.ok) {
         this.accepted = { parameters: wanted.parameters, pins: wanted.pins };
-        frame.value = outcome.value.frame;
+        batch(() => {
+          r.value = outcome.value.r;
+          frame.value = outcome.value.frame;
+        });
         return true;
       }
       this.explain(outcome.status);

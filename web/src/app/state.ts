@@ -39,6 +39,8 @@ export interface ViewOptions {
   exaggeration: 'automatic' | number;
   springs: boolean;
   surface: boolean;
+  /** Bigger type, secondary controls folded away. */
+  projector: boolean;
   camera: Camera | null;
 }
 
@@ -53,7 +55,7 @@ export const defaultState: AppState = {
   parameters: {},
   pins: null,
   selection: { spring: null, vertex: null },
-  view: { exaggeration: 'automatic', springs: true, surface: true, camera: null },
+  view: { exaggeration: 'automatic', springs: true, surface: true, projector: false, camera: null },
   language: 'en',
   theme: 'system',
 };
@@ -75,6 +77,8 @@ export const scene = signal<Scene>({
   iterations: 50,
   w: 1e10,
 });
+/** #E, m: rest lengths, from the solver. */
+export const r = signal<Float64Array>(new Float64Array(0));
 export const frame = signal<Frame | null>(null);
 export const playing = signal(false);
 /** A pin being dragged follows the pointer whether or not the clock runs. */

@@ -1,5 +1,5 @@
-import { type Remote, wrap } from 'comlink';
-import type { Checkpoint, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
+import { wrap } from 'comlink';
+import type { Checkpoint, Opened, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
 
 /** The solver trapped, hung or vanished and was replaced; what the page last showed is restored. */
 export class SolverCrash extends Error {
@@ -20,13 +20,22 @@ export interface SolverClientOptions {
  */
 export class SolverClient {
   private worker: Worker | null = null;
-  private service: Remote<SolverService> | null = null;
+  private service: SolverService | null = null;
   private lastGood: { problem: Problem; request: Request; checkpoint: Checkpoint } | null = null;
 
-  constructor(private readonly options: SolverClientOptions) {}
+  private readonly options: SolverClientOptions;
+
+  constructor(options: SolverClientOptions) {
+    this.options = options;
+  }
+
+  /** Starts the worker. Rejects when the module does not compile here. */
+  async start(): Promise<void> {
+    await this.startWorker();
+  }
 
   /** Opens a problem from rest. On failure the one open before stays. Throws SolverCrash. */
-  async open(problem: Problem, request: Request): Promise<Outcome<Reply>> {
+  async open(problem: Problem, request: Request): Promise<Outcome<Opened>> {
     const outcome = await this.guarded((service) => service.open(problem, request, null));
     if (outcome.ok) this.lastGood = { problem, request, checkpoint: outcome.value.checkpoint };
     return outcome;
@@ -40,9 +49,7 @@ export class SolverClient {
     return outcome;
   }
 
-  private async guarded(
-    call: (service: Remote<SolverService>) => Promise<Outcome<Reply>>,
-  ): Promise<Outcome<Reply>> {
+  private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
     const service = this.service ?? (await this.startWorker());
     try {
       return await this.untilFailure(call(service));
@@ -66,9 +73,10 @@ export class SolverClient {
     });
   }
 
-  private async startWorker(): Promise<Remote<SolverService>> {
+  private async startWorker(): Promise<SolverService> {
     this.worker = this.options.createWorker();
-    const service = wrap<SolverService>(this.worker);
+    // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
+    const service = wrap(this.worker) as unknown as SolverService;
     await this.untilFailure(service.start(this.options.wasmBinary));
     this.service = service;
     return service;

@@ -1,5 +1,7 @@
 /** What the solver's worker sends to the page: one place in the trace, in arrays the page owns. */
 
+import type { FactorisationReason } from './module.ts';
+
 export type Phase = 'predict' | 'local' | 'global' | 'accept';
 
 /** One half-step of the time step's trace. Energies in J, residual in N, change in m. */
@@ -39,20 +41,21 @@ export interface Frame {
   iterations: number;
   phase: Phase;
   iteration: number;
-  /** #V×3, m: the iterate at the cursor, and the one before it. */
-  p: Float32Array;
-  pBefore: Float32Array;
-  /** #E×3, m: the projections; null at predict, where there is none yet, and while playing when no view asks for it. */
-  d: Float32Array | null;
+  /** #V×3, m: the iterate at the cursor, and the one before it. Doubles: exaggeration ×1000 would show single precision's grain. */
+  p: Float64Array;
+  pBefore: Float64Array;
+  /** #E×3, m: the projections; null at predict, where there is none yet. */
+  d: Float64Array | null;
   /** #V×3, m: where inertia and external forces alone would carry each vertex. */
-  prediction: Float32Array;
-  /** #pinned×3, m. */
-  targets: Float32Array;
+  prediction: Float64Array;
+  /** #pinned, and #pinned×3, m: the pins of this frame and where they hold. */
+  pinned: Int32Array;
+  targets: Float64Array;
   /** The half-steps traced so far in this time step; empty while playing. */
   events: TraceEvent[];
   vertexEquation: VertexEquation | null;
   stiffnessNumber: number;
-  factorisations: { count: number; reason: string };
+  factorisations: { count: number; reason: FactorisationReason };
   /** How many earlier time steps can still be gone back to. */
   rememberedSteps: number;
   /** Wall-clock ms the worker spent on the request that made this frame. */

@@ -27,6 +27,8 @@ export interface Status {
   value: number;
 }
 
+export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'storage';
+
 export interface Parameters {
   /** N/m. */
   k: number;
@@ -73,13 +75,7 @@ export interface VertexProbe {
  */
 export interface Simulation {
   /** Replaces everything; on failure the previous scene stays, untouched. V #V×3, E #E×2, m #V, pinned #pinned, row-major. Cursor to (1, 0). */
-  set_scene(
-    V: Float64Array,
-    E: Int32Array,
-    m: Float64Array,
-    pinned: Int32Array,
-    parameters: Parameters,
-  ): Status;
+  set_scene(V: Float64Array, E: Int32Array, m: Float64Array, pinned: Int32Array, parameters: Parameters): Status;
   /** Refactorises when k, delta_t, w or mass_scale changed; on failure the previous parameters stay. */
   set_parameters(parameters: Parameters): Status;
   /** The set of pinned vertices and where each is held (#pinned×3). Refactorises only when the SET changed. */
@@ -133,8 +129,8 @@ export interface Simulation {
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;
   factorisation_count(): number;
-  /** Why the last factorisation happened: 'scene', 'k', 'delta_t', 'mass', 'w', 'pins' or 'storage'. */
-  factorisation_reason(): string;
+  /** Why the last factorisation happened. */
+  factorisation_reason(): FactorisationReason;
 
   /** For tests and matrix views: the matrices of mathematics.md as triplets (copies). */
   A(): Triplets;
@@ -143,7 +139,13 @@ export interface Simulation {
   Q(): Triplets;
   y(): Float64Array;
   /** E(p) of the current time step at any p (#V×3), with its terms: objective, potential, inertia, external, pin. */
-  objective_at(p: Float64Array): { objective: number; potential: number; inertia: number; external: number; pin: number };
+  objective_at(p: Float64Array): {
+    objective: number;
+    potential: number;
+    inertia: number;
+    external: number;
+    pin: number;
+  };
   /** #V×3: ∂E/∂p at any p. */
   gradient_at(p: Float64Array): Float64Array;
   /** Releases the memory. One owner calls it once. */

@@ -54,11 +54,16 @@ export interface Reply {
   checkpoint: Checkpoint;
 }
 
+export interface Opened extends Reply {
+  /** #E, m: rest lengths. */
+  r: Float64Array;
+}
+
 /** The worker's side, as comlink exposes it. */
 export interface SolverService {
   /** Compiles the module. Call once, before anything else. */
   start(wasmBinary: ArrayBuffer): Promise<void>;
   /** Opens a problem, at rest or where `from` says. On failure the problem open before stays. */
-  open(problem: Problem, request: Request, from: Checkpoint | null): Promise<Outcome<Reply>>;
+  open(problem: Problem, request: Request, from: Checkpoint | null): Promise<Outcome<Opened>>;
   run(request: Request): Promise<Outcome<Reply>>;
 }

@@ -11,7 +11,10 @@ export function placeOf(half_step: number, last_half_step: number): { phase: Pha
 }
 
 /** Copies what the page shows out of the module, so that the page owns it. */
-export function readFrame(s: Simulation, wants: { selectedVertex: number | null; events: boolean }): Frame {
+export function readFrame(
+  s: Simulation,
+  wants: { pinned: Int32Array; selectedVertex: number | null; events: boolean },
+): Frame {
   const half_step = s.half_step();
   const last_half_step = s.last_half_step();
   const place = placeOf(half_step, last_half_step);
@@ -22,11 +25,12 @@ export function readFrame(s: Simulation, wants: { selectedVertex: number | null;
     last_half_step,
     iterations: (last_half_step - 1) / 2,
     ...place,
-    p: Float32Array.from(s.p()),
-    pBefore: Float32Array.from(s.p_before()),
-    d: place.phase === 'predict' ? null : Float32Array.from(s.d()),
-    prediction: Float32Array.from(s.inertial_prediction()),
-    targets: Float32Array.from(s.targets()),
+    p: s.p().slice(),
+    pBefore: s.p_before().slice(),
+    d: place.phase === 'predict' ? null : s.d().slice(),
+    prediction: s.inertial_prediction().slice(),
+    pinned: wants.pinned,
+    targets: s.targets().slice(),
     events: wants.events ? readTrace(s.trace(), last_half_step) : [],
     vertexEquation: vertex === null ? null : { vertex, ...s.probe_vertex(vertex) },
     stiffnessNumber: s.stiffness_number(),

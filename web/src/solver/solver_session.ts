@@ -1,6 +1,6 @@
-import { readFrame } from './read_frame.ts';
 import type { Simulation, SolverModule, Status } from './module.ts';
-import type { Checkpoint, Command, Outcome, Problem, Reply, Request } from './protocol.ts';
+import type { Checkpoint, Command, Opened, Outcome, Problem, Reply, Request } from './protocol.ts';
+import { readFrame } from './read_frame.ts';
 
 const ok: Status = { code: 'ok', field: '', index: -1, value: 0 };
 
@@ -12,14 +12,15 @@ export class SolverSession {
     this.simulation = new module.Simulation();
   }
 
-  open(problem: Problem, request: Request, from: Checkpoint | null): Outcome<Reply> {
+  open(problem: Problem, request: Request, from: Checkpoint | null): Outcome<Opened> {
     const started = performance.now();
     const { parameters, pins } = request;
     let status = this.simulation.set_scene(problem.V, problem.E, problem.m, pins.pinned, parameters);
     if (status.code === 'ok') status = this.simulation.set_pins(pins.pinned, pins.targets);
     if (status.code === 'ok' && from)
       status = this.simulation.set_state(from.step, from.p_curr, from.p_prev, from.half_step);
-    return this.reply(status, request, started);
+    const outcome = this.reply(status, request, started);
+    return outcome.ok ? { ok: true, value: { ...outcome.value, r: this.simulation.r().slice() } } : outcome;
   }
 
   run(request: Request): Outcome<Reply> {
@@ -71,7 +72,11 @@ export class SolverSession {
       if (traced.code !== 'ok') return { ok: false, status: traced };
       s.seek(here);
     }
-    const frame = readFrame(s, { selectedVertex: request.selectedVertex, events: !playing });
+    const frame = readFrame(s, {
+      pinned: request.pins.pinned,
+      selectedVertex: request.selectedVertex,
+      events: !playing,
+    });
     frame.milliseconds = performance.now() - started;
     return { ok: true, value: { frame, checkpoint: readCheckpoint(s) } };
   }

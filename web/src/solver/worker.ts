@@ -1,6 +1,6 @@
-import createSolver from '#wasm/solver.js';
 import { expose, transfer } from 'comlink';
-import type { Outcome, Problem, Reply, Request, SolverService, Checkpoint } from './protocol.ts';
+import createSolver from '#wasm/solver.js';
+import type { Checkpoint, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
 import { SolverSession } from './solver_session.ts';
 
 let session: SolverSession | null = null;
@@ -11,7 +11,7 @@ function theSession(): SolverSession {
 }
 
 /** Hands the arrays of a reply over instead of copying them. */
-function send(outcome: Outcome<Reply>): Outcome<Reply> {
+function send<T extends Reply>(outcome: Outcome<T>): Outcome<T> {
   if (!outcome.ok) return outcome;
   const { frame, checkpoint } = outcome.value;
   const arrays = [frame.p, frame.pBefore, frame.prediction, frame.targets, checkpoint.p_curr, checkpoint.p_prev];

@@ -9,7 +9,9 @@ export type Language = (typeof languages)[number];
 /** The catalogue's shape with every text a plain string: `zh` has to satisfy it, so a missing key fails the build. */
 export type Catalogue<T> = { [K in keyof T]: T[K] extends string ? string : Catalogue<T[K]> };
 
-type Path<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Path<T[K]>}` }[keyof T & string];
+type Path<T> = { [K in keyof T & string]: T[K] extends string ? Singular<K> : `${K}.${Path<T[K]>}` }[keyof T & string];
+/** i18next picks key_one or key_other by `count`: callers name the key alone. */
+type Singular<K extends string> = K extends `${infer Stem}_${'one' | 'other'}` ? Stem : K;
 export type MessageKey = Path<typeof en>;
 
 const instance = createInstance();

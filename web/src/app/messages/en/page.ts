@@ -34,7 +34,7 @@ export const page = {
     moved: 'moves drawn ×{{factor}}',
     inertial: 'arrows: where inertia and forces alone would go',
     ghost: 'pale: before this half-step',
-    pins: '■ pins: drag them',
+    pins: 'pins: drag them',
   },
   phase: { predict: 'predict', local: 'local', global: 'global', accept: 'accept' },
   transport: {
@@ -59,7 +59,8 @@ export const page = {
       'Predict. Inertia and forces are written into y, once for the whole time step. The iterate starts at the old positions: p ← pᵗ.',
     local:
       'Local. p stands still. Each spring on its own, knowing nothing of its neighbours, takes its rest length along its present direction: d.',
-    global: 'Global. Every d stands still. One linear solve, Q p = b, moves all points to the best compromise between them.',
+    global:
+      'Global. Every d stands still. One linear solve, Q p = b, moves all points to the best compromise between them.',
     accept:
       'Accept. After {{iterations}} rounds this p becomes the position at the end of the time step. Only now does time advance.',
   },
@@ -72,7 +73,8 @@ export const page = {
     outside: '{{value}} is not between 0 and {{last}}',
   },
   pinHandle: {
-    label: 'Pin {{row}} of {{count}}, vertex {{vertex}}, at {{x}}, {{y}}, {{z}} m. Arrow keys move it, Page Up and Page Down choose another pin.',
+    label:
+      'Pin {{row}} of {{count}}, vertex {{vertex}}, at {{x}}, {{y}}, {{z}} m. Arrow keys move it, Page Up and Page Down choose another pin.',
     none: 'No vertex is pinned. Select a vertex and press “Pin this vertex”.',
   },
   stage: {
@@ -82,7 +84,8 @@ export const page = {
     heading: 'Parameters',
     scene: 'Scene',
     openFiles: 'Open files…',
-    openFilesHint: 'A scene.json with its .obj (and .png): the course’s own files open unchanged. You can also drop them on the page.',
+    openFilesHint:
+      'A scene.json with its .obj (and .png): the course’s own files open unchanged. You can also drop them on the page.',
     reset: 'Back to the scene’s value',
     resetAll: 'All back to the scene’s values',
     resetPins: 'Pins as in the scene',
@@ -148,12 +151,17 @@ export const page = {
     shiftClick: 'Shift-click a vertex: pin or free it',
     orbit: 'drag elsewhere: turn · wheel or pinch: zoom',
   },
-  update: { ready: 'A new version is ready.', apply: 'Load it', offline: 'Ready to work offline.' },
+  update: { ready: 'A new version is ready.', apply: 'Load it' },
   notice: { dismiss: 'Dismiss' },
   errors: {
-    noWebGL: 'This page draws with WebGL 2, which this browser or computer does not offer. Switching on hardware acceleration in the browser’s settings usually helps.',
-    contextLost: 'The graphics card dropped the drawing. The simulation is unharmed; reload the page if the picture does not come back.',
-    noWebAssembly: 'The solver is WebAssembly, which this browser does not run. Any browser from 2021 on does (WebAssembly with SIMD).',
+    noScene: 'No scene could be opened. Reload the page; if that does not help, the site may be incomplete.',
+    unexpected: 'The page could not start: {{reason}}.',
+    noWebGL:
+      'This page draws with WebGL 2, which this browser or computer does not offer. Switching on hardware acceleration in the browser’s settings usually helps.',
+    contextLost:
+      'The graphics card dropped the drawing. The simulation is unharmed; reload the page if the picture does not come back.',
+    noWebAssembly:
+      'The solver is WebAssembly, which this browser does not run. Any browser from 2021 on does (WebAssembly with SIMD).',
     wasmMissing: 'The solver ({{url}}) could not be loaded: {{reason}}. Check the connection and reload.',
     solverStart: 'The solver did not start: {{reason}}.',
     crash: 'The solver stopped ({{reason}}). It was replaced and the last good state restored.',
@@ -161,6 +169,8 @@ export const page = {
     linkTooLong: 'The link is {{length}} characters long and was not read; at most {{most}} are.',
     sceneUnknown: 'There is no scene “{{name}}”. The one before stays.',
     sceneFetch: '{{file}} could not be loaded: {{reason}}. The scene before stays.',
+    sceneFileMissing:
+      '{{file}} names {{missing}}, which is not among the files opened. Choose them together. The scene before stays.',
     sceneNoJson: 'None of the files opened is a scene: a .json file is needed, together with the .obj it names.',
     scene: '{{sentence}} The scene before stays.',
     no_scene: 'No scene is open yet.',
@@ -172,9 +182,11 @@ export const page = {
     duplicate_spring: '{{field}}[{{index}}] repeats a spring that is already there.',
     duplicate_pin: '{{field}}[{{index}}] pins vertex {{value}} twice.',
     not_positive: '{{field}} is {{value}}; it has to be greater than 0. The value before stays.',
-    too_stiff: 'The stiffness number Σk·Δt²/m would be {{value}}, beyond the 1e9 that double precision can solve. The values before stay: take a smaller k or Δt, or more mass.',
+    too_stiff:
+      'The stiffness number Σk·Δt²/m would be {{value}}, beyond the 1e9 that double precision can solve. The values before stay: take a smaller k or Δt, or more mass.',
     too_large: 'This would need {{value}} bytes, more than the solver may use. The scene before stays.',
-    factorisation_failed: 'Q could not be factorised: it is not positive definite to machine precision. The values before stay.',
+    factorisation_failed:
+      'Q could not be factorised: it is not positive definite to machine precision. The values before stay.',
     diverged: 'Vertex {{index}} became {{value}} in this time step. The step was undone and the clock stopped.',
   },
 };

@@ -1,0 +1,93 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { limits } from '../../../web/src/app/limits.ts';
+import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
+import { type AppState, defaultState } from '../../../web/src/app/state.ts';
+
+const inside = ({ min, max }: { min: number; max: number }) => fc.double({ min, max, noNaN: true });
+const point = fc.tuple(coordinate(), coordinate(), coordinate());
+
+function coordinate() {
+  return fc.double({ min: -1e3, max: 1e3, noNaN: true }).map((x) => x + 0); // JSON has no −0
+}
+
+const states: fc.Arbitrary<AppState> = fc.record({
+  version: fc.constant(1 as const),
+  scene: fc.stringMatching(/^[\w-]{1,64}$/),
+  parameters: fc.record(
+    {
+      k: inside(limits.k),
+      delta_t: inside(limits.delta_t),
+      mass_scale: inside(limits.mass_scale),
+      w: inside(limits.w),
+      iterations: fc.integer(limits.iterations),
+      wind: fc.boolean(),
+    },
+    { requiredKeys: [] },
+  ),
+  pins: fc.option(fc.array(fc.record({ vertex: fc.nat(9999), target: fc.option(point) }), { maxLength: 20 })),
+  selection: fc.record({ spring: fc.option(fc.nat(9999)), vertex: fc.option(fc.nat(9999)) }),
+  view: fc.record({
+    exaggeration: fc.oneof(fc.constant('automatic' as const), fc.integer({ min: 1, max: 1000 })),
+    springs: fc.boolean(),
+    surface: fc.boolean(),
+    projector: fc.boolean(),
+    camera: fc.option(fc.record({ position: point, target: point })),
+  }),
+  language: fc.constantFrom('en' as const, 'zh' as const),
+  theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
+});
+
+describe('the link', () => {
+  it('carries every state there and back', () => {
+    fc.assert(
+      fc.property(states, (state) => {
+        const { state: back, problems } = decodeLink(encodeLink(state), defaultState);
+        expect(problems).toEqual([]);
+        expect(back).toEqual(state);
+      }),
+    );
+  });
+
+  it('survives being percent-encoded by what carries it', () => {
+    fc.assert(
+      fc.property(states, (state) => {
+        expect(decodeLink(encodeURI(decodeURI(encodeLink(state))), defaultState).state).toEqual(state);
+      }),
+    );
+  });
+
+  it('names scene and language even where they are the default: the next reader’s default may differ', () => {
+    expect(encodeLink(defaultState)).toBe('#/springs?version=1&scene=%22net%22&language=%22en%22');
+  });
+
+  it('keeps the good parts of a link with a bad one, and names the bad one', () => {
+    const { state, problems } = decodeLink('#/springs?scene="flag"&parameters={"k":-5}&language="zh"', defaultState);
+    expect(state).toEqual({ ...defaultState, scene: 'flag', language: 'zh' });
+    expect(problems).toEqual([{ part: 'parameters', value: '{"k":-5}' }]);
+  });
+
+  it.each([
+    ['a part that does not exist', '#/springs?colour="red"', 'colour'],
+    ['broken JSON', '#/springs?pins=[1', 'pins'],
+    ['broken percent escapes', '#/springs?scene=%E0%A4%A', 'scene'],
+    ['a parameter that does not exist', '#/springs?parameters={"q":1}', 'parameters'],
+    ['a scene name that could leave the folder', '#/springs?scene="../x"', 'scene'],
+    ['a version of the future', '#/springs?version=2', 'version'],
+    ['a part inherited by every object', '#/springs?toString=1', 'toString'],
+  ])('refuses %s', (_, fragment, part) => {
+    const { state, problems } = decodeLink(fragment, defaultState);
+    expect(state).toEqual(defaultState);
+    expect(problems.map((problem) => 'part' in problem && problem.part)).toEqual([part]);
+  });
+
+  it('does not read a link longer than any of ours', () => {
+    const { state, problems } = decodeLink(`#/springs?pins=${'x'.repeat(longestLink)}`, defaultState);
+    expect(state).toEqual(defaultState);
+    expect(problems).toEqual([{ tooLong: longestLink + 15 }]);
+  });
+
+  it.each(['', '#', '#/springs', '#/springs?'])('takes “%s” for the default', (fragment) => {
+    expect(decodeLink(fragment, defaultState)).toEqual({ state: defaultState, problems: [] });
+  });
+});

@@ -1,0 +1,148 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { notices } from '../../../web/src/app/notices.ts';
+import { Session } from '../../../web/src/app/session.ts';
+import { defaultState, dragging, frame, playing, state } from '../../../web/src/app/state.ts';
+import type { Scene } from '../../../web/src/scene/scene.ts';
+import { type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
+import type { Frame } from '../../../web/src/solver/frame.ts';
+import type { Opened, Outcome, Request } from '../../../web/src/solver/protocol.ts';
+
+const scene: Scene = {
+  name: 'pair',
+  V: Float64Array.of(0, 0, 0, 1, 0, 0),
+  E: Int32Array.of(0, 1),
+  F: new Uint32Array(0),
+  texture: null,
+  m: Float64Array.of(1, 1),
+  pinned: Int32Array.of(0),
+  k: 10,
+  delta_t: 0.1,
+  iterations: 1,
+  w: 1e6,
+};
+
+/** Lets everything that has been promised happen. */
+const turn = () => new Promise((done) => setTimeout(done));
+
+/** A client that answers when told to, so that what happens in between can be looked at. */
+class FakeClient {
+  readonly requests: Request[] = [];
+  private readonly answers: { resolve: (outcome: Outcome<Opened>) => void; reject: (reason: Error) => void }[] = [];
+
+  private readonly ask = (request: Request) => {
+    this.requests.push(request);
+    return new Promise<Outcome<Opened>>((resolve, reject) => this.answers.push({ resolve, reject }));
+  };
+  readonly open = (_: unknown, request: Request) => this.ask(request);
+  readonly run = this.ask;
+
+  async settle(how: 'ok' | 'refused' | 'crash'): Promise<void> {
+    await turn();
+    const answer = this.answers.shift();
+    if (!answer) throw new Error('nothing was asked');
+    if (how === 'crash') answer.reject(new SolverCrash('unreachable'));
+    else if (how === 'refused')
+      answer.resolve({ ok: false, status: { code: 'too_stiff', field: 'k', index: -1, value: 2e9 } });
+    else answer.resolve({ ok: true, value: { frame: paused, checkpoint: checkpoint(), r: Float64Array.of(1) } });
+    await turn();
+  }
+
+  get unanswered(): number {
+    return this.answers.length;
+  }
+}
+
+/** Its trace is complete, so nothing more is asked for on its account. */
+const paused = { events: new Array(4), last_half_step: 3, milliseconds: 1 } as unknown as Frame;
+
+function checkpoint() {
+  return { step: 1, half_step: 0, p_curr: scene.V, p_prev: scene.V };
+}
+
+let client: FakeClient;
+let session: Session;
+
+beforeEach(async () => {
+  vi.stubGlobal('requestAnimationFrame', () => 0);
+  state.value = defaultState;
+  playing.value = false;
+  dragging.value = null;
+  notices.value = [];
+  frame.value = null;
+  client = new FakeClient();
+  session = new Session(client as unknown as SolverClient);
+  const opening = session.open(scene, { ...defaultState, scene: 'pair' });
+  await client.settle('ok');
+  expect(await opening).toBe(true);
+  session.start();
+  await client.settle('ok');
+  client.requests.length = 0;
+});
+
+const setK = (k: number) => {
+  state.value = { ...state.value, parameters: { k } };
+};
+
+describe('the session', () => {
+  it('coalesces: a slider dragged while the solver works asks once more, with the last value', async () => {
+    for (const k of [11, 12, 13, 14]) setK(k);
+    await client.settle('ok');
+    await client.settle('ok');
+    expect(client.requests.map(({ parameters }) => parameters.k)).toEqual([11, 14]);
+    expect(client.unanswered).toBe(0);
+  });
+
+  it('never has two requests in flight', async () => {
+    session.order({ kind: 'next_half_step' });
+    session.order({ kind: 'next_half_step' });
+    setK(20);
+    expect(client.unanswered).toBe(1);
+    await client.settle('ok');
+    expect(client.unanswered).toBe(1);
+  });
+
+  it('puts the accepted value back when the solver refuses one, and says why', async () => {
+    setK(20);
+    await client.settle('ok');
+    setK(1e7);
+    await client.settle('refused');
+    expect(state.value.parameters).toEqual({ k: 20 });
+    expect(notices.value[0]).toMatchObject({ kind: 'error', key: 'page.errors.too_stiff', params: { value: 2e9 } });
+  });
+
+  it('does not ask for ever when even the accepted values fail', async () => {
+    session.order({ kind: 'next_step' });
+    await client.settle('refused');
+    expect(client.unanswered).toBe(0);
+    expect(playing.value).toBe(false);
+  });
+
+  it('stops the clock and says so when the solver crashes, and goes on when asked again', async () => {
+    playing.value = true;
+    session.order({ kind: 'play', steps: 1 });
+    await client.settle('crash');
+    expect(playing.value).toBe(false);
+    expect(notices.value[0]).toMatchObject({ key: 'page.errors.crash', params: { reason: 'unreachable' } });
+    session.order({ kind: 'next_half_step' });
+    expect(client.unanswered).toBe(1);
+  });
+
+  it('keeps the scene before when the solver refuses a new one', async () => {
+    const before = state.value;
+    const opening = session.open({ ...scene, name: 'bad' }, { ...state.value, scene: 'bad' });
+    await client.settle('refused');
+    expect(await opening).toBe(false);
+    expect(state.value).toEqual(before);
+  });
+
+  it('asks for the rest of the trace when paused with nothing else to do', async () => {
+    frame.value = { ...paused, events: [] };
+    setK(15);
+    await client.settle('ok');
+    expect(client.requests[0].wholeTrace).toBe(false);
+    frame.value = { ...paused, events: [] };
+    session.order({ kind: 'stay' });
+    await client.settle('ok');
+    expect(client.requests.at(-1)?.wholeTrace).toBe(true);
+  });
+});

@@ -1,0 +1,64 @@
+import { useState } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { t } from '../../app/messages/index.ts';
+import { frame, pins, scene } from '../../app/state.ts';
+import { scene3D } from './stage_signals.ts';
+
+/** One press of an arrow key, as a fraction of the scene's diagonal; ten times as much with Shift. */
+const stride = 0.005;
+
+const directions: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+/** The pins for the keyboard: one focusable handle that stands where the chosen pin is drawn; arrows move it as the reader sees it. */
+export function PinHandle({ actions }: { actions: Actions }) {
+  const [chosen, choose] = useState(0);
+  const { pinned, targets } = pins.value;
+  const view = scene3D.value;
+  if (pinned.length === 0 || !view || !frame.value) return null;
+  const row = Math.min(chosen, pinned.length - 1);
+  const vertex = pinned[row];
+  const target = [...targets.subarray(3 * row, 3 * row + 3)];
+  const place = view.projectToScreen(vertex, 'global');
+  const [x, y, z] = target.map((value) => value.toFixed(3));
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const direction = directions[event.key];
+    const turn = event.key === 'PageDown' ? 1 : event.key === 'PageUp' ? -1 : 0;
+    if (turn !== 0) choose((row + turn + pinned.length) % pinned.length);
+    else if (direction) {
+      const by = stride * diagonal(scene.value.V) * (event.shiftKey ? 10 : 1);
+      const { right, up } = view.screenAxes();
+      const moved = target.map((value, axis) => value + by * (direction[0] * right[axis] + direction[1] * up[axis]));
+      actions.movePin(vertex, moved as [number, number, number]);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation(); // here arrows move the pin, not the cursor in time
+  };
+
+  return (
+    <button
+      type="button"
+      class="pin-handle"
+      style={place ? { left: `${place.x}px`, top: `${place.y}px` } : undefined}
+      aria-label={t('page.pinHandle.label', { row: row + 1, count: pinned.length, vertex, x, y, z })}
+      onFocus={() => actions.select({ vertex })}
+      onKeyDown={onKeyDown}
+    />
+  );
+}
+
+/** m: of the box around #V×3 points. */
+function diagonal(V: Float64Array): number {
+  const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
+  const high = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (let at = 0; at < V.length; at++) {
+    low[at % 3] = Math.min(low[at % 3], V[at]);
+    high[at % 3] = Math.max(high[at % 3], V[at]);
+  }
+  return Math.hypot(...high.map((value, axis) => value - low[axis]));
+}

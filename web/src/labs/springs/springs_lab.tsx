@@ -1,0 +1,78 @@
+import type { Actions } from '../../app/actions.ts';
+import { type MessageKey, t } from '../../app/messages/index.ts';
+import { frame, playing, r, scene, state } from '../../app/state.ts';
+import type { Frame } from '../../solver/frame.ts';
+import { Controls } from '../../views/controls/controls.tsx';
+import { GlobalEquation } from '../../views/equations/global_equation.tsx';
+import { LocalEquation } from '../../views/equations/local_equation.tsx';
+import { SpringInspector, VertexInspector } from '../../views/inspector/inspector.tsx';
+import { ObjectiveChart } from '../../views/plots/objective_chart.tsx';
+import { SolverPanel } from '../../views/solver_panel/solver_panel.tsx';
+import { Transport } from '../../views/transport/transport.tsx';
+import { GlobalLegend, LocalLegend } from './legends.tsx';
+import { PinHandle } from './pin_handle.tsx';
+import { Stage } from './stage.tsx';
+import './springs_lab.css';
+
+/** The springs lab: the two half-steps side by side, each over its equation; below them the clock, then what can be changed. */
+export function SpringsLab({ actions }: { actions: Actions }) {
+  const f = frame.value as Frame;
+  return (
+    <main class="springs-lab">
+      <div class="stage" data-phase={playing.value ? 'playing' : f.phase}>
+        <Stage actions={actions} />
+        <section class="half half-local" aria-label={t('page.local.name')}>
+          <Caption name="page.local.name" tagline="page.local.tagline" />
+          <div class="view" data-view="local" role="img" aria-label={t('page.local.view')}>
+            <LocalLegend phase={f.phase} />
+          </div>
+          <div class="panel">
+            <div class="inspector">
+              <SpringInspector actions={actions} />
+            </div>
+            <LocalEquation frame={f} spring={selectedSpring()} />
+          </div>
+        </section>
+        <section class="half half-global" aria-label={t('page.global.name')}>
+          <Caption name="page.global.name" tagline="page.global.tagline" />
+          <div class="view" data-view="global" role="img" aria-label={t('page.global.view')}>
+            <GlobalLegend phase={f.phase} />
+          </div>
+          <div class="panel">
+            <div class="inspector">
+              <VertexInspector actions={actions} />
+            </div>
+            <GlobalEquation frame={f} />
+          </div>
+        </section>
+        <PinHandle actions={actions} />
+      </div>
+      <Transport actions={actions} />
+      <div class="below">
+        <details class="fold" open={!state.value.view.projector}>
+          <summary>{t('page.controls.heading')}</summary>
+          <Controls actions={actions} />
+        </details>
+        <div class="evidence">
+          <ObjectiveChart frame={f} playing={playing.value} onSeek={(half_step) => actions.seek(half_step)} />
+          <SolverPanel />
+        </div>
+      </div>
+    </main>
+  );
+}
+
+function Caption({ name, tagline }: { name: MessageKey; tagline: MessageKey }) {
+  return (
+    <h2 class="caption">
+      {t(name)} <span>{t(tagline)}</span>
+    </h2>
+  );
+}
+
+function selectedSpring() {
+  const { spring } = state.value.selection;
+  if (spring === null) return null;
+  const { E } = scene.value;
+  return { index: spring, i: E[2 * spring], j: E[2 * spring + 1], r: r.value[spring] };
+}

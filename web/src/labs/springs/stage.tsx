@@ -1,0 +1,119 @@
+import { useSignalEffect } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { t } from '../../app/messages/index.ts';
+import { notify } from '../../app/notices.ts';
+import { appliedTheme } from '../../app/preferences.ts';
+import { frame, r, scene, state } from '../../app/state.ts';
+import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
+import { Scene3D } from '../../views/scene3d/scene3d.ts';
+import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
+import { HalfStepAnimation } from './half_step_animation.ts';
+import { legend, scene3D } from './stage_signals.ts';
+
+/** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */
+export function Stage({ actions }: { actions: Actions }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+
+  useEffect(() => {
+    const element = canvas.current as HTMLCanvasElement;
+    let drawing = 0;
+    const draw = () => {
+      drawing = 0;
+      view.render();
+      document.body.dataset.ready = 'true';
+    };
+    const view = new Scene3D(element, {
+      ...callbacks(actions),
+      onInvalidate: () => {
+        drawing ||= requestAnimationFrame(draw);
+      },
+    });
+    scene3D.value = view;
+    const stopFollowing = followLayout(element, view);
+    return () => {
+      stopFollowing();
+      cancelAnimationFrame(drawing);
+      scene3D.value = null;
+      view.dispose();
+    };
+  }, [actions]);
+
+  useSignalEffect(() => {
+    if (r.value.length === 0) return;
+    const { V, E, F, texture } = scene.value;
+    scene3D.value?.setScene({ V, E, F, texture, r: r.value });
+    const { camera } = state.peek().view;
+    if (camera) scene3D.value?.setCamera(camera);
+  });
+
+  useSignalEffect(() => {
+    const { view, selection } = state.value;
+    scene3D.value?.setOptions({
+      exaggeration: view.exaggeration,
+      showSprings: view.springs,
+      showSurface: view.surface,
+      selectedSpring: selection.spring,
+      selectedVertex: selection.vertex,
+      palette: appliedTheme.value === 'dark' ? darkPalette : lightPalette,
+    });
+  });
+
+  useEffect(() => {
+    const animation = new HalfStepAnimation();
+    const stop = frame.subscribe((f) => {
+      if (f) animation.show(f, (shown, progress) => scene3D.value?.setFrame(shown, progress));
+    });
+    return () => {
+      stop();
+      animation.stop();
+    };
+  }, []);
+
+  return <canvas ref={canvas} class="stage-canvas" aria-label={t('page.stage.label')} role="img" />;
+}
+
+function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
+  return {
+    onSelect: (hit) => {
+      if (hit) actions.select({ [hit.kind]: hit.index });
+    },
+    onPinToggle: (vertex) => actions.togglePin(vertex, positionOf(vertex)),
+    onDragStart: (vertex) => {
+      actions.select({ vertex });
+      actions.beginDrag(vertex);
+    },
+    onDrag: (vertex, target) => actions.movePin(vertex, [target[0], target[1], target[2]]),
+    onDragEnd: () => actions.endDrag(),
+    onHover: () => {},
+    onCameraChange: (camera) => actions.setView({ camera }),
+    onLegend: (next) => {
+      legend.value = next;
+    },
+    onContextLost: () => notify('error', 'page.errors.contextLost'),
+  };
+}
+
+function positionOf(vertex: number): [number, number, number] {
+  const p = frame.peek()?.p ?? scene.peek().V;
+  return [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
+}
+
+/** Tells the 3D view where the page has put its two views, whenever the layout changes. Returns how to stop. */
+function followLayout(canvas: HTMLCanvasElement, view: Scene3D): () => void {
+  const stage = canvas.parentElement as HTMLElement;
+  const places = () => {
+    const origin = canvas.getBoundingClientRect();
+    const place = (name: 'local' | 'global') => {
+      const { left, top, width, height } = (
+        stage.querySelector(`[data-view="${name}"]`) as HTMLElement
+      ).getBoundingClientRect();
+      return { x: left - origin.left, y: top - origin.top, width, height };
+    };
+    view.setViewports(place('local'), place('global'));
+  };
+  const observer = new ResizeObserver(places);
+  observer.observe(stage);
+  for (const element of stage.querySelectorAll('[data-view]')) observer.observe(element);
+  return () => observer.disconnect();
+}

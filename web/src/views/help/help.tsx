@@ -1,0 +1,56 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { type MessageKey, t } from '../../app/messages/index.ts';
+import { Icon } from '../../lib/icon.tsx';
+import './help.css';
+
+const keys: [string, MessageKey][] = [
+  ['Space', 'page.keys.space'],
+  ['A', 'page.keys.animate'],
+  ['← →', 'page.keys.halfSteps'],
+  ['↑ ↓', 'page.keys.steps'],
+  ['L', 'page.keys.springs'],
+  ['W', 'page.keys.wind'],
+  ['R', 'page.keys.reset'],
+  ['?', 'page.keys.help'],
+  ['← → ↑ ↓', 'page.keys.pinArrows'],
+  ['PgUp PgDn', 'page.keys.pinPages'],
+];
+const gestures: MessageKey[] = ['page.keys.drag', 'page.keys.click', 'page.keys.shiftClick', 'page.keys.orbit'];
+
+/** The list of keys and gestures, beside the page rather than over it: nothing stops while it is open. */
+export function Help({ onClose }: { onClose: () => void }) {
+  const close = useRef<HTMLButtonElement>(null);
+  useEffect(() => close.current?.focus(), []);
+  return (
+    <aside
+      class="help"
+      aria-labelledby="help-heading"
+      onKeyDown={(event) => {
+        if (event.key === 'Escape') onClose();
+      }}
+    >
+      <div class="help-title">
+        <h2 id="help-heading">{t('page.keys.heading')}</h2>
+        <button ref={close} type="button" class="quiet" aria-label={t('page.keys.close')} onClick={onClose}>
+          <Icon name="close" />
+        </button>
+      </div>
+      <dl>
+        {keys.map(([key, text]) => (
+          <div key={text}>
+            <dt>
+              <kbd>{key}</kbd>
+            </dt>
+            <dd>{t(text)}</dd>
+          </div>
+        ))}
+      </dl>
+      <h2>{t('page.keys.pointer')}</h2>
+      <ul>
+        {gestures.map((text) => (
+          <li key={text}>{t(text)}</li>
+        ))}
+      </ul>
+    </aside>
+  );
+}

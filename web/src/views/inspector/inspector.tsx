@@ -1,0 +1,81 @@
+import { useState } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { t } from '../../app/messages/index.ts';
+import { frame, pins, scene, state } from '../../app/state.ts';
+import type { Frame } from '../../solver/frame.ts';
+import './inspector.css';
+
+/** Chooses a spring by its number: what a click on it does, for the keyboard. */
+export function SpringInspector({ actions }: { actions: Actions }) {
+  const count = scene.value.E.length / 2;
+  return (
+    <IndexField
+      label={t('page.inspect.spring')}
+      value={state.value.selection.spring}
+      count={count}
+      onChange={(spring) => actions.select({ spring })}
+    />
+  );
+}
+
+/** Chooses a vertex by its number, and pins or frees it. */
+export function VertexInspector({ actions }: { actions: Actions }) {
+  const { vertex } = state.value.selection;
+  const { p } = frame.value as Frame;
+  const pinned = vertex !== null && pins.value.pinned.includes(vertex);
+  return (
+    <>
+      <IndexField
+        label={t('page.inspect.vertex')}
+        value={vertex}
+        count={scene.value.m.length}
+        onChange={(next) => actions.select({ vertex: next })}
+      />
+      <button
+        type="button"
+        disabled={vertex === null}
+        onClick={() => {
+          if (vertex !== null) actions.togglePin(vertex, [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]]);
+        }}
+      >
+        {t(pinned ? 'page.inspect.unpin' : 'page.inspect.pin')}
+      </button>
+    </>
+  );
+}
+
+interface IndexFieldProps {
+  label: string;
+  value: number | null;
+  count: number;
+  onChange: (index: number) => void;
+}
+
+function IndexField({ label, value, count, onChange }: IndexFieldProps) {
+  const [problem, setProblem] = useState<string | null>(null);
+  const read = (text: string) => {
+    const index = Number(text);
+    const inside = text.trim() !== '' && Number.isInteger(index) && index >= 0 && index < count;
+    setProblem(inside ? null : t('page.inspect.outside', { value: text, last: count - 1 }));
+    if (inside) onChange(index);
+  };
+  return (
+    <label class="index-field">
+      {label}{' '}
+      <input
+        type="number"
+        min={0}
+        max={count - 1}
+        value={value ?? ''}
+        aria-invalid={problem !== null}
+        onChange={(event) => read(event.currentTarget.value)}
+      />{' '}
+      <span class="of">{t('page.inspect.springOf', { count })}</span>
+      {problem && (
+        <span class="index-problem" role="alert">
+          {problem}
+        </span>
+      )}
+    </label>
+  );
+}

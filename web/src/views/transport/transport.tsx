@@ -1,0 +1,113 @@
+import { useState } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { t } from '../../app/messages/index.ts';
+import { frame, parameters, playing } from '../../app/state.ts';
+import { Icon, type IconName } from '../../lib/icon.tsx';
+import type { Frame } from '../../solver/frame.ts';
+import './transport.css';
+
+/** The clock's buttons, the scrubber over the half-steps of the present time step, and the line that always says where we are. */
+export function Transport({ actions }: { actions: Actions }) {
+  const [hasPaused, setHasPaused] = useState(false);
+  const f = frame.value as Frame;
+  const invite = playing.value && !hasPaused;
+  const toggle = () => {
+    setHasPaused(true);
+    actions.togglePlaying();
+  };
+  return (
+    <section class="transport" id="transport" aria-label={t('page.transport.label')}>
+      <div class="transport-buttons">
+        <Move icon="reset" name="reset" onClick={() => actions.reset()} />
+        <Move
+          icon="previousStep"
+          name="previousStep"
+          off={f.rememberedSteps === 0}
+          onClick={() => actions.previousStep()}
+        />
+        <Move
+          icon="previousHalfStep"
+          name="previousHalfStep"
+          half
+          off={f.half_step === 0 && f.rememberedSteps === 0}
+          onClick={() => actions.previousHalfStep()}
+        />
+        <button type="button" class={`play ${invite ? 'play-invite' : ''}`} onClick={toggle}>
+          <Icon name={playing.value ? 'pause' : 'play'} />
+          {t(invite ? 'page.transport.inviteToPause' : playing.value ? 'page.transport.pause' : 'page.transport.play')}
+        </button>
+        <Move icon="nextHalfStep" name="nextHalfStep" half onClick={() => actions.nextHalfStep()} />
+        <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
+      </div>
+      <div class="transport-place">
+        <p class="transport-status" data-testid="status">
+          <Status frame={f} />
+        </p>
+        <p class="transport-story">
+          {t(`page.story.${playing.value ? 'playing' : f.phase}`, { iterations: f.iterations })}
+        </p>
+      </div>
+      <Scrubber frame={f} actions={actions} />
+    </section>
+  );
+}
+
+function Status({ frame: f }: { frame: Frame }) {
+  const { step, iteration, iterations } = f;
+  const seconds = (step * parameters.value.delta_t).toFixed(2);
+  return (
+    <>
+      {playing.value
+        ? t('page.transport.playing', { step, iterations })
+        : t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${f.phase}`) })}
+      <span class="transport-seconds"> · {t('page.transport.simulated', { seconds })}</span>
+    </>
+  );
+}
+
+function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {
+  const { half_step, last_half_step, iteration, iterations, step } = f;
+  return (
+    <div class="scrubber">
+      <input
+        type="range"
+        min={0}
+        max={last_half_step}
+        value={half_step}
+        style={{ '--filled': `${(100 * half_step) / last_half_step}%` }}
+        aria-label={t('page.transport.scrubber')}
+        aria-valuetext={t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${f.phase}`) })}
+        onInput={(event) => actions.seek(event.currentTarget.valueAsNumber)}
+      />
+      <div class="scrubber-ends" aria-hidden="true">
+        <span>{t('page.phase.predict')}</span>
+        <span>{t('page.phase.accept')}</span>
+      </div>
+    </div>
+  );
+}
+
+interface MoveProps {
+  icon: IconName;
+  name: 'reset' | 'previousStep' | 'previousHalfStep' | 'nextHalfStep' | 'nextStep';
+  half?: boolean;
+  off?: boolean;
+  onClick: () => void;
+}
+
+function Move({ icon, name, half = false, off = false, onClick }: MoveProps) {
+  const label = t(`page.transport.${name}`);
+  return (
+    <button
+      type="button"
+      class="move"
+      aria-label={label}
+      title={label}
+      aria-disabled={off}
+      onClick={off ? undefined : onClick}
+    >
+      <Icon name={icon} />
+      {half && <span aria-hidden="true">{t('page.transport.half')}</span>}
+    </button>
+  );
+}
