@@ -1,1 +1,25 @@
-export const plots = {};
+export const plots = {
+  title: 'Objective, half-step by half-step',
+  height: 'Ẽ(p, d) above the lowest value of this time step, J (log scale)',
+  halfStep: 'half-step',
+  label:
+    'Objective of time step {{step}}: {{count}} half-steps traced, the highest {{highest}} above the lowest value. The table below has all numbers.',
+  invite: 'Pause to see each half-step lower the objective.',
+  stale: 'Playing: this is time step {{step}}. Pause to see the present one.',
+  atLowest: 'Not drawn, since a log axis has no zero: half-step {{list}}, the lowest value itself up to rounding.',
+  inspect: 'Half-step to read off',
+  inspectHelp: 'Arrow keys choose a half-step, Enter goes there.',
+  place: 'half-step {{halfStep}} · iteration {{iteration}} · {{phase}}',
+  drop: 'change of Ẽ',
+  objective: 'E(p)',
+  surrogate: 'Ẽ(p, d)',
+  potential: 'springs',
+  inertia: 'inertia',
+  external: 'external',
+  pin: 'pins',
+  residual: '‖Qp − b‖∞',
+  change: 'largest move',
+  iteration: 'iteration',
+  data: 'Table of all half-steps',
+  download: 'Download CSV',
+};

@@ -1,0 +1,83 @@
+import { t } from '../../app/messages/index.ts';
+import { columnScale, formatInColumn, formatLength, formatQuantity } from '../../lib/format.ts';
+import type { Frame } from '../../solver/frame.ts';
+import { EquationPanel } from './equation_panel.tsx';
+import { type Spring, type SpringNumbers, springNumbers } from './spring_numbers.ts';
+import { VectorTable } from './vector_table.tsx';
+
+const { raw } = String;
+
+export const localFormulas = [
+  raw`\symd_{ij} = \symr_{ij}\,\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}`,
+] as const;
+
+interface Props {
+  frame: Frame;
+  /** The selected spring. */
+  spring: Spring | null;
+}
+
+/** The local step's equation, and what it does to the selected spring. */
+export function LocalEquation({ frame, spring }: Props) {
+  return (
+    <EquationPanel
+      title={t('equations.local.title')}
+      formulas={localFormulas}
+      symbols={['d', 'r', 'p']}
+      known={['p', 'r']}
+      unknown="d"
+      active={frame.phase === 'local'}
+      values={spring ? { r: formatLength(spring.r, 4) } : {}}
+    >
+      {spring ? (
+        <Substitution frame={frame} spring={spring} />
+      ) : (
+        <p class="equation-invitation">{t('equations.local.invite')}</p>
+      )}
+    </EquationPanel>
+  );
+}
+
+/** The equation with one spring's numbers in the place of its symbols. */
+function Substitution({ frame, spring }: { frame: Frame; spring: Spring }) {
+  const numbers = springNumbers(frame, spring);
+  const { p_i, p_j, difference, length, d } = numbers;
+  const scale = columnScale(spring.r > 0 ? spring.r : length, 'm');
+  const rows = [
+    { tex: raw`\symp_i`, vector: p_i },
+    { tex: raw`\symp_j`, vector: p_j },
+    { tex: raw`\symp_i - \symp_j`, vector: difference },
+  ];
+  if (d) rows.push({ tex: raw`\symd_{ij}`, vector: d });
+
+  return (
+    <>
+      <p class="equation-facts">
+        <strong>{t('equations.local.spring', { index: spring.index })}</strong>
+        <span>{t('equations.local.ends', { i: spring.i, j: spring.j })}</span>
+        <span>
+          r = {formatInColumn(spring.r, scale)} {scale.unit}
+        </span>
+        <span>{strainText(numbers)}</span>
+      </p>
+      <VectorTable
+        caption={t('equations.local.table', { index: spring.index, unit: scale.unit })}
+        scale={scale}
+        lengthHeading={t('equations.local.length')}
+        rows={rows}
+      />
+      <p class="equation-aside">
+        {d
+          ? frame.phase !== 'local' && t('equations.local.fromIteration', { iteration: frame.iteration })
+          : t('equations.local.notYet')}
+      </p>
+    </>
+  );
+}
+
+function strainText({ strain }: SpringNumbers): string {
+  if (strain === null) return '';
+  if (Math.abs(strain) < 1e-12) return t('equations.local.atRest'); // what is left is rounding
+  const percent = formatQuantity(100 * Math.abs(strain), '%');
+  return t(strain > 0 ? 'equations.local.stretched' : 'equations.local.squeezed', { percent });
+}
