@@ -4,28 +4,30 @@ import { join } from 'node:path';
 import type { Scene } from '../../web/src/scene/scene.ts';
 import type { Parameters } from '../../web/src/solver/module.ts';
 
-export interface NativeResult {
-  /** #V×3, m, row-major, after the last step. */
-  positions: number[];
-  milliseconds: { precompute: number; steps: number[] };
+export interface NativeRun {
+  /** #V×3, m, row-major: positions at the end. */
+  p: number[];
+  /** ms: matrices and factorisation, and each step. */
+  precompute: number;
+  stepTimes: number[];
 }
 
 const source = join(import.meta.dirname, 'native');
 const build = join(import.meta.dirname, 'build');
 
-/** Builds, unless it is up to date: `reference` for agreement, `reference_fast` for speed. */
+/** Builds both programs, unless they are up to date. */
 export function buildReference(): void {
   execFileSync('cmake', ['-S', source, '-B', build, '-G', 'Ninja'], { stdio: 'pipe' });
   execFileSync('cmake', ['--build', build], { stdio: 'pipe' });
 }
 
+/** Runs time steps from rest, without wind: `reference` for agreement, `reference_fast` for speed. */
 export function runReference(
   program: 'reference' | 'reference_fast',
-  scene: Scene,
+  { V, E, m, pinned }: Scene,
   { iterations, k, delta_t, w, gravity }: Parameters,
   steps: number,
-): NativeResult {
-  const { V, E, m, pinned } = scene;
+): NativeRun {
   const header = [V.length / 3, E.length / 2, pinned.length, steps, iterations, k, delta_t, w, gravity];
   const input = [header, V, E, m, pinned].map((values) => values.join(' ')).join('\n');
   return JSON.parse(execFileSync(join(build, program), { input, encoding: 'utf8', maxBuffer: 2 ** 28 }));

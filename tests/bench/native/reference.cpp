@@ -1,12 +1,10 @@
 // An independent implementation of the fast mass-springs time step, written from the formulas
-// alone. It shares no code with wasm/core: the agreement test and the benchmark measure one against
-// the other.
+// alone: it shares no code with wasm/core, which is compared with it (agreement, speed).
 //
-// Reads from stdin, as text separated by white space (rows in row-major order):
+// Reads from stdin, as text separated by white space, matrices row by row:
 //   #V #E #pinned steps iterations k[N/m] delta_t[s] w[N/m] gravity[m/s²]
 //   V (#V by 3, m)   E (#E by 2)   m (#V, kg)   pinned (#pinned)
-// Writes one JSON object to stdout: {"positions": [x, y, z, …], "milliseconds": {"precompute": …,
-// "steps": […]}}.
+// Writes one JSON object to stdout: {"p": [x, y, z, …], "precompute": ms, "stepTimes": [ms, …]}.
 #include <Eigen/Sparse>
 #include <chrono>
 #include <cmath>
@@ -76,12 +74,12 @@ int main() {
     std::fputs("reference: Q has no Cholesky factorisation\n", stderr);
     return 1;
   }
-  const double precompute = milliseconds_since(precomputation);
+  const double precompute = milliseconds_since(precomputation);  // ms
 
   Points f_ext = Points::Zero(vertex_count, 3);  // N
   f_ext.col(1) = -gravity * m;
   Points p_prev = V, p_curr = V, p = V, d(spring_count, 3);  // m
-  std::vector<double> step_milliseconds;
+  std::vector<double> step_times;                            // ms
   for (int step = 0; step < steps; ++step) {
     const auto start = std::chrono::steady_clock::now();
     // y = M (2 p^t - p^{t-Δt})/Δt² + f^ext + w CᵀC p^target
@@ -96,14 +94,12 @@ int main() {
     }
     p_prev = p_curr;
     p_curr = p;
-    step_milliseconds.push_back(milliseconds_since(start));
+    step_times.push_back(milliseconds_since(start));
   }
 
-  std::printf("{\"positions\":[");
+  std::printf("{\"p\":[");
   for (int i = 0; i < p.size(); ++i) std::printf(i ? ",%.17g" : "%.17g", p.data()[i]);
-  std::printf("],\"milliseconds\":{\"precompute\":%g,\"steps\":[", precompute);
-  for (std::size_t s = 0; s < step_milliseconds.size(); ++s) {
-    std::printf(s ? ",%g" : "%g", step_milliseconds[s]);
-  }
-  std::printf("]}}\n");
+  std::printf("],\"precompute\":%g,\"stepTimes\":[", precompute);
+  for (std::size_t s = 0; s < step_times.size(); ++s) std::printf(s ? ",%g" : "%g", step_times[s]);
+  std::printf("]}\n");
 }
