@@ -4,7 +4,7 @@ import { parseObj } from '../scene/parse_obj.ts';
 import { parseSceneFile } from '../scene/parse_scene_file.ts';
 import type { Scene } from '../scene/scene.ts';
 import { describeSceneError, isSceneError, type SceneError } from '../scene/scene_error.ts';
-import type { MessageKey } from './messages/index.ts';
+import { type MessageKey, sceneMessages } from './messages/index.ts';
 
 /** Addresses of the scenes' files as built, by file name. */
 const urls = Object.fromEntries(
@@ -79,7 +79,8 @@ async function readScene(
 }
 
 function trusted<T extends object>(result: T | SceneError): T {
-  if (isSceneError(result)) throw new SceneProblem('page.errors.scene', { sentence: describeSceneError(result) });
+  if (isSceneError(result))
+    throw new SceneProblem('page.errors.scene', { sentence: describeSceneError(result, sceneMessages()) });
   return result;
 }
 

@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals';
 import { createInstance, type TOptions } from 'i18next';
+import type { SceneMessages } from '../../scene/scene_error.ts';
 import { en } from './en/index.ts';
 import { zh } from './zh/index.ts';
 
@@ -40,6 +41,11 @@ export const language = {
 /** The text for `key` in the language shown, `{{name}}` filled in from `params`. */
 export function t(key: MessageKey, params: TOptions = {}): string {
   return instance.t(key, { ...params, lng: current.value });
+}
+
+/** The sentences of scene errors in the language shown, for describeSceneError. */
+export function sceneMessages(): SceneMessages {
+  return current.value === 'zh' ? zh.scene : en.scene;
 }
 
 /** The first of the reader's preferred languages that we speak. */

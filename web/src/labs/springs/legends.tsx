@@ -16,7 +16,7 @@ export function LocalLegend({ phase }: { phase: Phase }) {
         <span
           class="legend-scale"
           style={{
-            background: `linear-gradient(to right, ${strain.compressed}, ${strain.neutral}, ${strain.stretched})`,
+            background: `linear-gradient(to right, ${strain.join(', ')})`,
           }}
         />
         <span>+{percent}</span>

@@ -1,7 +1,8 @@
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, pins, scene } from '../../app/state.ts';
+import { frame, pins, scene, state } from '../../app/state.ts';
+import { diagonal, screenAxes } from './geometry.ts';
 import { scene3D } from './stage_signals.ts';
 
 /** One press of an arrow key, as a fraction of the scene's diagonal; ten times as much with Shift. */
@@ -18,6 +19,7 @@ const directions: Record<string, [number, number]> = {
 export function PinHandle({ actions }: { actions: Actions }) {
   const [chosen, choose] = useState(0);
   const { pinned, targets } = pins.value;
+  void state.value.view.camera; // where the handle stands depends on it
   const view = scene3D.value;
   if (pinned.length === 0 || !view || !frame.value) return null;
   const row = Math.min(chosen, pinned.length - 1);
@@ -32,7 +34,7 @@ export function PinHandle({ actions }: { actions: Actions }) {
     if (turn !== 0) choose((row + turn + pinned.length) % pinned.length);
     else if (direction) {
       const by = stride * diagonal(scene.value.V) * (event.shiftKey ? 10 : 1);
-      const { right, up } = view.screenAxes();
+      const { right, up } = screenAxes(view.camera);
       const moved = target.map((value, axis) => value + by * (direction[0] * right[axis] + direction[1] * up[axis]));
       actions.movePin(vertex, moved as [number, number, number]);
     } else return;
@@ -50,15 +52,4 @@ export function PinHandle({ actions }: { actions: Actions }) {
       onKeyDown={onKeyDown}
     />
   );
-}
-
-/** m: of the box around #V×3 points. */
-function diagonal(V: Float64Array): number {
-  const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
-  const high = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (let at = 0; at < V.length; at++) {
-    low[at % 3] = Math.min(low[at % 3], V[at]);
-    high[at % 3] = Math.max(high[at % 3], V[at]);
-  }
-  return Math.hypot(...high.map((value, axis) => value - low[axis]));
 }

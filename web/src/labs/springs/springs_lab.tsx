@@ -54,7 +54,7 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <Controls actions={actions} />
         </details>
         <div class="evidence">
-          <ObjectiveChart frame={f} playing={playing.value} onSeek={(half_step) => actions.seek(half_step)} />
+          <ObjectiveChart frame={f} onSeek={(half_step) => actions.seek(half_step)} />
           <SolverPanel />
         </div>
       </div>

@@ -1,6 +1,7 @@
+import { sceneMessages } from '../../../scene/scene_error.ts';
 import { equations } from './equations.ts';
 import { page } from './page.ts';
 import { plots } from './plots.ts';
 import { symbols } from './symbols.ts';
 
-export const en = { page, symbols, equations, plots };
+export const en = { page, symbols, equations, plots, scene: sceneMessages };

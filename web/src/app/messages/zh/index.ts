@@ -3,6 +3,7 @@ import type { Catalogue } from '../index.ts';
 import { equations } from './equations.ts';
 import { page } from './page.ts';
 import { plots } from './plots.ts';
+import { scene } from './scene.ts';
 import { symbols } from './symbols.ts';
 
-export const zh: Catalogue<typeof en> = { page, symbols, equations, plots };
+export const zh: Catalogue<typeof en> = { page, symbols, equations, plots, scene };

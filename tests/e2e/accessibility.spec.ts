@@ -1,0 +1,70 @@
+import { createRequire } from 'node:module';
+import type { Page } from '@playwright/test';
+import type { AxeResults } from 'axe-core';
+import { expect, open, test } from './support/page.ts';
+
+const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+/** What axe finds that keeps people out, each as "rule: where". */
+async function seriousViolations(page: Page): Promise<string[]> {
+  const { violations } = await page.evaluate(
+    // axe is put on the page below; this runs there
+    () => (globalThis as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run(),
+  );
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .flatMap(({ id, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')} ${failureSummary}`),
+    );
+}
+
+for (const language of ['en', 'zh'])
+  for (const theme of ['light', 'dark'])
+    for (const viewport of [
+      { width: 1280, height: 720 },
+      { width: 390, height: 844 },
+    ])
+      test(`axe finds nothing serious: ${language}, ${theme}, ${viewport.width}×${viewport.height}`, async ({
+        browser,
+        baseURL,
+      }) => {
+        // axe is a script of ours but not of the page's: its policy would keep it out
+        const context = await browser.newContext({
+          bypassCSP: true,
+          viewport,
+          reducedMotion: 'reduce',
+          baseURL: baseURL as string,
+        });
+        const page = await context.newPage();
+        await open(page, `./#/springs?scene="net"&language="${language}"&theme="${theme}"`);
+        await page.keyboard.press('Space');
+        await page.addScriptTag({ path: axePath });
+        expect(await seriousViolations(page)).toEqual([]);
+        await context.close();
+      });
+
+test('nothing is wider than a phone', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+});
+
+test('the whole page can be reached with the keyboard alone', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  const reached = new Set<string>();
+  for (let press = 0; press < 150; press++) {
+    await page.keyboard.press('Tab');
+    const name = await page.evaluate(() => {
+      const element = document.activeElement;
+      return (
+        element?.getAttribute('aria-label') ?? element?.closest('label')?.textContent ?? element?.textContent ?? ''
+      );
+    });
+    reached.add(name.trim());
+    if (reached.has('Wind')) break; // past the transport and the equations, into the controls
+  }
+  for (const name of ['Half-step forward', 'Half-step back', 'One time step', 'Reset to rest', 'Wind'])
+    expect([...reached]).toContain(name);
+  expect([...reached].some((name) => name.startsWith('Pin 1 of 6'))).toBe(true);
+});

@@ -1,0 +1,55 @@
+import { expect, test } from '@playwright/test';
+import { expectReady } from './support/page.ts';
+
+// These pages are made to fail, so Playwright's own page is used: the browser itself complains on the console.
+
+test.use({ reducedMotion: 'reduce' } as object);
+
+test('without WebGL the page says so', async ({ page }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText('WebGL 2');
+});
+
+test('without WebAssembly the page says so', async ({ page }) => {
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(globalThis, 'WebAssembly');
+  });
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText('WebAssembly');
+});
+
+test('without the solver’s file the page names it', async ({ page }) => {
+  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText(/solver.*\.wasm.*HTTP 404/);
+});
+
+test('with a broken solver the page says that it did not start', async ({ page }) => {
+  await page.route('**/*.wasm', (route) => route.fulfill({ body: 'not a module', contentType: 'application/wasm' }));
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText('The solver did not start');
+});
+
+test('a solver that crashes is replaced, and the last good state is back', async ({ page }) => {
+  await page.goto('./#/springs?scene="net"');
+  await expectReady(page);
+  const status = page.getByTestId('status');
+  for (let step = 1; step <= 3; step++) {
+    await page.getByRole('button', { name: 'One time step' }).click();
+    await expect(status).toContainText(`t = ${step} · iteration 50`);
+  }
+  const [worker] = page.workers();
+  await worker.evaluate(() => {
+    setInterval(() => {
+      throw new Error('trapped on purpose');
+    }, 1);
+  });
+  await page.getByRole('button', { name: 'One time step' }).click();
+  await expect(page.getByText('It was replaced and the last good state restored')).toBeVisible();
+  await expect(status).toContainText('t = 3 · iteration 50');
+  await page.getByRole('button', { name: 'One time step' }).click();
+  await expect(status).toContainText('t = 4 · iteration 50');
+});

@@ -1,0 +1,36 @@
+import type { SceneMessages } from '../../../scene/scene_error.ts';
+
+export const scene: SceneMessages = {
+  in_file: '{{file}}：{{problem}}',
+  at_line: '{{file}} 第 {{line}} 行：{{problem}}',
+  at_field: '{{file}} 的 {{field}}：{{problem}}',
+
+  unreadable_file: '无法读取 {{value}}',
+  not_json: '第 {{column}} 列：自 {{value}} 起不是 JSON',
+  json_ends_early: '第 {{column}} 列：JSON 提前结束',
+  missing: '缺少此字段',
+  empty: '此文本为空',
+  not_an_object: '{{value}} 不是花括号中的对象',
+  not_a_list: '{{value}} 不是列表',
+  not_a_text: '{{value}} 不是引号中的文本',
+  not_a_number: '{{value}} 不是有限的数',
+  not_a_whole_number: '{{value}} 不是整数',
+  not_positive: '{{value}} 不是正数',
+  too_small: '{{value}} 小于 {{minimum}}',
+  too_large: '{{value}} 大于 {{maximum}}',
+
+  too_few_numbers: '需要 {{minimum}} 个数，只有 {{value}} 个',
+  too_few_vertices: '需要 {{minimum}} 个顶点，只有 {{value}} 个',
+  not_an_index: '{{value}} 不是顶点编号',
+  vertex_out_of_range: '没有顶点 {{value}}，共 {{count}} 个',
+  texture_vertex_out_of_range: '没有纹理顶点 {{value}}，共 {{count}} 个',
+  self_spring: '顶点 {{value}} 与自身相连',
+  too_many_vertices: '顶点超过 {{maximum}} 个',
+  too_many_springs: '弹簧超过 {{maximum}} 根',
+  no_vertices: '没有顶点',
+  no_springs: '没有弹簧',
+
+  duplicate_pin: '顶点 {{value}} 被固定了两次',
+  no_mass: '缺少此字段，而顶点 {{value}} 不属于任何三角形，无从得到质量',
+  no_texture_coordinates: '{{value}} 的某些角缺少纹理坐标',
+};
