@@ -1,6 +1,6 @@
 /** Makes every scene of this folder by rule: `npx tsx scenes/generate.ts [folder to write to]`. */
-import { mkdir, writeFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { toJSONSchema } from 'zod/mini';
 import { sceneFileSchema } from '../web/src/scene/scene_file.ts';
 import { chain } from './rules/chain.ts';
@@ -14,13 +14,6 @@ import { writtenScene } from './rules/written_scene.ts';
 const folder = process.argv[2] ?? import.meta.dirname;
 
 const files = [singleSpring(), chain(), net(), flag(), skirt(), tower()].flatMap((scene) => [...writtenScene(scene)]);
-files.push([
-  'schema/scene.schema.json',
-  `${JSON.stringify(toJSONSchema(sceneFileSchema, { io: 'input' }), null, 2)}\n`,
-]);
+files.push(['scene.schema.json', `${JSON.stringify(toJSONSchema(sceneFileSchema, { io: 'input' }), null, 2)}\n`]);
 
-for (const [name, content] of files) {
-  const path = join(folder, name);
-  await mkdir(dirname(path), { recursive: true });
-  await writeFile(path, content);
-}
+for (const [name, content] of files) await writeFile(join(folder, name), content);

@@ -31,7 +31,7 @@ export function takeApart(
   textureVertexCount: number,
 ): ObjPieces | ObjProblem {
   const { keyword, corners, vertices, textureVertices } = element;
-  if (corners.length < 2) return { code: 'too_few_vertices', params: { value: corners.length, minimum: 2 } };
+  if (corners.length < 2) return { code: 'too_few_vertices', params: { minimum: 2 } };
   const v: number[] = [];
   const vt: number[] = [];
   for (const corner of corners) {

@@ -16,8 +16,8 @@ export interface ObjData {
 }
 
 /** Caps on what is read, so that a wrong file ends in a sentence and not in a full memory. */
-export const maxVertices = 200_000;
-export const maxSprings = 1_000_000;
+export const maxVertices = 100_000;
+export const maxSprings = 500_000;
 
 /**
  * Reads `v`, `vt`, `f` and `l` and ignores the rest. A spring is `f i j`, each edge of a polygon `f i j k …`, and each piece of a polyline `l i j …`;
@@ -48,27 +48,30 @@ export function parseObj(file: string, text: string): ObjData | SceneError {
     return { code: 'too_many_vertices', place: { file }, params: { value: vertexCount, maximum: maxVertices } };
   }
 
-  const springs = new Map<number, [number, number]>(); // by a key that both directions share
+  const E: number[] = [];
+  const springKeys = new Set<number>();
   const F: number[] = [];
   const FT: number[] = [];
   for (const element of elements) {
     const pieces = takeApart(element, vertexCount, VT.length / 2);
     if ('code' in pieces) return { ...pieces, place: { file, line: element.line } };
     for (const [i, j] of pieces.springs) {
-      const key = Math.min(i, j) * vertexCount + Math.max(i, j);
-      if (!springs.has(key)) springs.set(key, [i, j]);
+      const key = Math.min(i, j) * vertexCount + Math.max(i, j); // the same in both directions
+      if (springKeys.has(key)) continue;
+      springKeys.add(key);
+      E.push(i, j);
     }
-    F.push(...pieces.triangles);
-    FT.push(...pieces.textureTriangles);
+    if (springKeys.size > maxSprings) {
+      return { code: 'too_many_springs', place: { file }, params: { maximum: maxSprings } };
+    }
+    for (const i of pieces.triangles) F.push(i); // one by one: spread arguments of a huge polygon overflow the stack
+    for (const i of pieces.textureTriangles) FT.push(i);
   }
-  if (springs.size === 0) return { code: 'no_springs', place: { file }, params: {} };
-  if (springs.size > maxSprings) {
-    return { code: 'too_many_springs', place: { file }, params: { value: springs.size, maximum: maxSprings } };
-  }
+  if (E.length === 0) return { code: 'no_springs', place: { file }, params: {} };
   return {
     V: Float64Array.from(V),
     VT: Float32Array.from(VT),
-    E: Int32Array.from([...springs.values()].flat()),
+    E: Int32Array.from(E),
     F: Uint32Array.from(F),
     FT: FT.length === F.length ? Uint32Array.from(FT) : null,
   };

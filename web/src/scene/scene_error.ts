@@ -20,14 +20,14 @@ export const sceneMessages = {
   too_small: '{{value}} is less than {{minimum}}',
   too_large: '{{value}} is more than {{maximum}}',
 
-  too_few_numbers: '{{value}} numbers of {{minimum}}',
-  too_few_vertices: '{{value}} vertices of {{minimum}}',
+  too_few_numbers: 'has {{value}} numbers of {{minimum}}',
+  too_few_vertices: 'joins fewer than {{minimum}} vertices',
   not_an_index: '{{value}} is not a vertex number',
   vertex_out_of_range: 'vertex {{value}} of {{count}}',
   texture_vertex_out_of_range: 'texture vertex {{value}} of {{count}}',
   self_spring: 'vertex {{value}} is joined to itself',
   too_many_vertices: '{{value}} vertices are more than {{maximum}}',
-  too_many_springs: '{{value}} springs are more than {{maximum}}',
+  too_many_springs: 'there are more than {{maximum}} springs',
   no_vertices: 'there are no vertices',
   no_springs: 'there are no springs',
 

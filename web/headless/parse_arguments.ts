@@ -1,0 +1,89 @@
+import { parseArgs } from 'node:util';
+import { UsageError } from './usage_error.ts';
+
+export interface Arguments {
+  /** Path of the scene's JSON. */
+  scene: string;
+  steps: number;
+  /** What replaces the scene's own values. Units as in the scene: s, N/m. */
+  overrides: { iterations?: number; delta_t?: number; k?: number };
+  storage: 'sparse' | 'dense';
+  format: 'json' | 'csv';
+}
+
+export const help = `Runs a scene without a page and prints where its vertices end up.
+
+  npm run --silent simulate -- SCENE.json [options]
+
+  --steps N               time steps to run (100)
+  --iterations K          local/global iterations of each (the scene's)
+  --dt S                  time step in seconds (the scene's)
+  --k K                   stiffness of the springs in N/m (the scene's)
+  --storage sparse|dense  of the matrices (sparse)
+  --format json|csv       (json) json is one object: positions in metres, the objective of each step in joules,
+                          times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
+                          from 1 as in the OBJ file, in metres
+  --help                  this text
+
+Errors: one line on stderr, exit code 2.
+`;
+
+const options = {
+  steps: { type: 'string' },
+  iterations: { type: 'string' },
+  dt: { type: 'string' },
+  k: { type: 'string' },
+  storage: { type: 'string' },
+  format: { type: 'string' },
+  help: { type: 'boolean' },
+} as const;
+
+/** Reads the command line; null asks for the help. */
+export function parseArguments(args: string[]): Arguments | null {
+  // Not strict, so that "--k -5" reaches the checks below and every complaint has the same form.
+  const { values, positionals } = parseArgs({ args, options, strict: false });
+  if (values.help) return null;
+  for (const [name, value] of Object.entries(values)) {
+    if (!(name in options)) throw new UsageError(`--${name}: there is no such option`);
+    if (typeof value !== 'string') throw new UsageError(`--${name}: its value is missing`);
+  }
+  if (positionals.length !== 1) throw new UsageError(`SCENE.json: one file is needed, not ${positionals.length}`);
+  const {
+    steps = '100',
+    iterations,
+    dt,
+    k,
+    storage = 'sparse',
+    format = 'json',
+  } = values as Record<string, string | undefined>;
+  return {
+    scene: positionals[0],
+    steps: wholeNumber('--steps', steps),
+    overrides: {
+      ...(iterations !== undefined && { iterations: wholeNumber('--iterations', iterations) }),
+      ...(dt !== undefined && { delta_t: positive('--dt', dt) }),
+      ...(k !== undefined && { k: positive('--k', k) }),
+    },
+    storage: oneOf('--storage', storage, ['sparse', 'dense']),
+    format: oneOf('--format', format, ['json', 'csv']),
+  };
+}
+
+function positive(option: string, text: string): number {
+  const value = Number(text);
+  if (!(value > 0 && Number.isFinite(value))) throw new UsageError(`${option}: "${text}" is not a positive number`);
+  return value;
+}
+
+function wholeNumber(option: string, text: string): number {
+  const value = Number(text);
+  if (!(value > 0 && Number.isSafeInteger(value)))
+    throw new UsageError(`${option}: "${text}" is not a whole number from 1 on`);
+  return value;
+}
+
+function oneOf<T extends string>(option: string, text: string, choices: readonly T[]): T {
+  const choice = choices.find((known) => known === text);
+  if (choice === undefined) throw new UsageError(`${option}: "${text}" is not one of ${choices.join(', ')}`);
+  return choice;
+}
