@@ -1,0 +1,59 @@
+import { describe, expect, it } from 'vitest';
+import { parseArguments } from '../../../web/headless/parse_arguments.ts';
+import { UsageError } from '../../../web/headless/usage_error.ts';
+
+describe('parseArguments', () => {
+  it('leaves to the scene what is not given', () => {
+    expect(parseArguments(['a.json'])).toEqual({
+      scene: 'a.json',
+      steps: 100,
+      overrides: {},
+      storage: 'sparse',
+      format: 'json',
+    });
+  });
+
+  it('takes options before and after the file, with and without =', () => {
+    const args = [
+      '--steps',
+      '3',
+      '--k=2e5',
+      'a.json',
+      '--iterations',
+      '7',
+      '--dt',
+      '0.01',
+      '--storage=dense',
+      '--format=csv',
+    ];
+    expect(parseArguments(args)).toEqual({
+      scene: 'a.json',
+      steps: 3,
+      overrides: { k: 2e5, iterations: 7, delta_t: 0.01 },
+      storage: 'dense',
+      format: 'csv',
+    });
+  });
+
+  it('asks for the help', () => {
+    expect(parseArguments(['--help'])).toBeNull();
+  });
+
+  it.each([
+    [[], 'SCENE.json: one file is needed, not 0'],
+    [['a.json', 'b.json'], 'SCENE.json: one file is needed, not 2'],
+    [['a.json', '--damping', '1'], '--damping: there is no such option'],
+    [['a.json', '--k'], '--k: its value is missing'],
+    [['a.json', '--k', '-5'], '--k: "-5" is not a positive number'],
+    [['a.json', '--k', 'stiff'], '--k: "stiff" is not a positive number'],
+    [['a.json', '--k', '1e999'], '--k: "1e999" is not a positive number'],
+    [['a.json', '--dt', '0'], '--dt: "0" is not a positive number'],
+    [['a.json', '--dt='], '--dt: "" is not a positive number'],
+    [['a.json', '--steps', '1.5'], '--steps: "1.5" is not a whole number from 1 on'],
+    [['a.json', '--iterations', '0'], '--iterations: "0" is not a whole number from 1 on'],
+    [['a.json', '--storage', 'thick'], '--storage: "thick" is not one of sparse, dense'],
+    [['a.json', '--format', 'xml'], '--format: "xml" is not one of json, csv'],
+  ])('refuses %j', (args, sentence) => {
+    expect(() => parseArguments(args)).toThrow(new UsageError(sentence));
+  });
+});

@@ -1,0 +1,111 @@
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+
+function simulate(...args: string[]): { stdout: string; stderr: string; status: number | null } {
+  const command = ['--import', 'tsx', 'web/headless/simulate.ts', ...args];
+  const { stdout, stderr, status } = spawnSync(process.execPath, command, { encoding: 'utf8' });
+  return { stdout, stderr, status };
+}
+
+describe('simulate', () => {
+  it('prints one JSON object: what was run, where it ended, what it cost', () => {
+    const { stdout, stderr, status } = simulate('scenes/net.json', '--steps', '3', '--iterations', '5', '--dt', '0.02');
+    expect([stderr, status]).toEqual(['', 0]);
+    const { positions, objective, milliseconds, ...run } = JSON.parse(stdout);
+    expect(run).toEqual({
+      scene: 'net',
+      vertexCount: 61,
+      springCount: 120,
+      method: 'local-global',
+      storage: 'sparse',
+      steps: 3,
+      iterations: 5,
+      deltaT: 0.02,
+    });
+    expect(positions).toHaveLength(61);
+    expect(objective).toHaveLength(3);
+    expect(milliseconds).toEqual({
+      precompute: expect.any(Number),
+      step: { min: expect.any(Number), median: expect.any(Number) },
+    });
+  });
+
+  it('takes one step of the single spring as by hand', () => {
+    const { stdout } = simulate(
+      'scenes/single-spring-horizontal.json',
+      '--steps',
+      '1',
+      '--iterations',
+      '1',
+      '--k',
+      '100',
+    );
+    const { positions, objective } = JSON.parse(stdout);
+    // The spring lies level, so its projection asks for no height, and the second row of Q p = b is (k + m/Δt²) y = −m g with k = 100 N/m,
+    // m = 1 kg, Δt = 1/30 s. The pin yields by about the reaction over w = 1e10 N/m: 1e-9 m, and so do all numbers here.
+    const y = -9.8 / (100 + 900);
+    expect(positions[1][0]).toBeCloseTo(0.5, 8);
+    expect(positions[1][1]).toBeCloseTo(y, 8);
+    expect(positions[1][2]).toBe(0);
+    const potential = (100 / 2) * (Math.hypot(1, y) - 1) ** 2;
+    const inertia = (900 / 2) * y ** 2;
+    expect(objective[0]).toBeCloseTo(potential + inertia + 9.8 * y, 7);
+  });
+
+  it('ends at the same place in both storages and in both formats', () => {
+    const [sparse, dense] = ['sparse', 'dense'].map((storage) => {
+      const { stdout } = simulate('scenes/net.json', '--steps', '2', '--storage', storage);
+      return JSON.parse(stdout).positions.flat() as number[];
+    });
+    // Positions of about 1 m, through matrices of condition number w Δt²/m = 2e7: 1e-9 leaves room for rounding in another order.
+    for (const [entry, value] of sparse.entries()) expect(Math.abs(value - dense[entry])).toBeLessThan(1e-9);
+
+    const rows = simulate('scenes/net.json', '--steps', '2', '--format', 'csv').stdout.trimEnd().split('\n');
+    expect(rows[0]).toBe('vertex,x,y,z');
+    const numbers = rows.slice(1).map((row) => row.split(',').map(Number));
+    expect(numbers.map(([vertex]) => vertex)).toEqual(Array.from({ length: 61 }, (_, i) => i + 1));
+    expect(numbers.flatMap(([, ...point]) => point)).toEqual(sparse);
+  });
+
+  it('prints its help', () => {
+    const { stdout, stderr, status } = simulate('--help');
+    expect(stdout).toContain('--storage sparse|dense');
+    expect([stderr, status]).toEqual(['', 0]);
+  });
+});
+
+describe('simulate, given what it cannot run', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'simulate-'));
+  const files = {
+    'syntax.json': '{\n  "obj": "a.obj",\n  "b" [1]\n}',
+    'field.json': '{"obj": "spring.obj", "b": [1], "k": "soft"}',
+    'pin.json': '{"obj": "spring.obj", "b": [1, 12], "k": 1, "m": 1}',
+    'lost.json': '{"obj": "lost.obj", "b": [1], "k": 1, "m": 1}',
+    'broken.json': '{"obj": "broken.obj", "b": [1], "k": 1, "m": 1}',
+    'broken.obj': 'v 0 0 0\nv 1 0 0\nf 1 12\n',
+    'spring.obj': 'v 0 0 0\nv 1 0 0\nf 1 2\n',
+  };
+  beforeAll(() => {
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  it.each([
+    [['scenes/net.json', '--steps', 'many'], /^--steps: "many" is not a whole number from 1 on\n$/],
+    [[join(folder, 'none.json')], /^none\.json: cannot read none\.json\n$/],
+    [[join(folder, 'syntax.json')], /^syntax\.json line 3: column 7: not JSON from \[1\] on\n$/],
+    [[join(folder, 'field.json')], /^field\.json k: "soft" is not a finite number\n$/],
+    [[join(folder, 'pin.json')], /^pin\.json b\[1\]: vertex 12 of 2\n$/],
+    [[join(folder, 'lost.json')], /^lost\.json obj: cannot read lost\.obj\n$/],
+    [[join(folder, 'broken.json')], /^broken\.obj line 3: vertex 12 of 2\n$/],
+    [['scenes/net.json', '--k', '1e12'], /^net\.json .*stiffness number.*\n$/],
+    [['scenes/skirt.json', '--storage', 'dense'], /^skirt\.json .*bytes.*\n$/],
+  ])('says so in one line, exit code 2: %j', (args, line) => {
+    const { stdout, stderr, status } = simulate(...args);
+    expect(stderr).toMatch(line);
+    expect([stdout, status]).toEqual(['', 2]);
+  });
+});
