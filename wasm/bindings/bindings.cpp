@@ -1,0 +1,183 @@
+// The only file that knows of the web: a table from the calls of web/src/solver/module.ts to the
+// core.
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "inertial_prediction.h"
+#include "simulation.h"
+
+using namespace mass_spring;
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+namespace {
+
+/// A view of the module's memory, valid until the next call.
+template <typename Array>
+val lend(const Array& array) {
+  return val(typed_memory_view(array.size(), array.data()));
+}
+
+/// The same numbers in memory of JavaScript's.
+template <typename Array>
+val copy(const char* type, const Array& array) {
+  return val::global(type).new_(lend(array));
+}
+
+std::vector<double> doubles(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<double>(array);
+}
+std::vector<int> ints(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<int>(array);
+}
+
+std::string code(const Status& status) {
+  return status_code_names()[static_cast<int>(status.code)];
+}
+// embind wants a way in for every field; a status only goes out.
+void set_code(Status&, const std::string&) {}
+
+std::string storage(const Parameters& parameters) {
+  return parameters.storage == Storage::dense ? "dense" : "sparse";
+}
+void set_storage(Parameters& parameters, const std::string& name) {
+  parameters.storage = name == "dense" ? Storage::dense : Storage::sparse;
+}
+
+val matrix(int rows, int columns, const Triplets& triplets) {
+  std::vector<int> i, j;
+  std::vector<double> value;
+  for (const auto& entry : triplets) {
+    i.push_back(entry.row());
+    j.push_back(entry.col());
+    value.push_back(entry.value());
+  }
+  val object = val::object();
+  object.set("rows", rows);
+  object.set("columns", columns);
+  object.set("i", copy("Int32Array", i));
+  object.set("j", copy("Int32Array", j));
+  object.set("value", copy("Float64Array", value));
+  return object;
+}
+
+val probe(const Simulation& simulation, int i) {
+  const VertexProbe parts = simulation.probe_vertex(i);
+  val object = val::object();
+  object.set("y", val::array(parts.y.begin(), parts.y.end()));
+  object.set("kAtd", val::array(parts.kAtd.begin(), parts.kAtd.end()));
+  object.set("b", val::array(parts.b.begin(), parts.b.end()));
+  object.set("Qp", val::array(parts.Qp.begin(), parts.Qp.end()));
+  return object;
+}
+
+int vertices(const Simulation& simulation) { return simulation.time_step().p_curr.rows(); }
+int springs(const Simulation& simulation) { return simulation.time_step().E.rows(); }
+int pins(const Simulation& simulation) { return simulation.time_step().pinned.size(); }
+
+val status_codes() { return val::array(status_code_names()); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(solver) {
+  using namespace emscripten;
+
+  function("status_codes", &status_codes);
+
+  value_object<Status>("Status")
+      .field("code", &code, &set_code)
+      .field("field", &Status::field)
+      .field("index", &Status::index)
+      .field("value", &Status::value);
+
+  value_object<Parameters>("Parameters")
+      .field("k", &Parameters::k)
+      .field("delta_t", &Parameters::delta_t)
+      .field("w", &Parameters::w)
+      .field("mass_scale", &Parameters::mass_scale)
+      .field("iterations", &Parameters::iterations)
+      .field("gravity", &Parameters::gravity)
+      .field("wind", &Parameters::wind)
+      .field("storage", &storage, &set_storage);
+
+  value_object<Objective>("Objective")
+      .field("objective", &Objective::objective)
+      .field("potential", &Objective::potential)
+      .field("inertia", &Objective::inertia)
+      .field("external", &Objective::external)
+      .field("pin", &Objective::pin);
+
+  using S = Simulation;
+  class_<S>("Simulation")
+      .constructor<>()
+      .function(
+          "set_scene",
+          +[](S& s, val V, val E, val m, val pinned, const Parameters& parameters) {
+            return s.set_scene(doubles(V), ints(E), doubles(m), ints(pinned), parameters);
+          })
+      .function("set_parameters", &S::set_parameters)
+      .function(
+          "set_pins",
+          +[](S& s, val pinned, val targets) { return s.set_pins(ints(pinned), doubles(targets)); })
+      .function("reset", &S::reset)
+      .function(
+          "set_state",
+          +[](S& s, int step, val p_curr, val p_prev, int half_step) {
+            return s.set_state(step, doubles(p_curr), doubles(p_prev), half_step);
+          })
+      .function("step", &S::step)
+      .function("seek", &S::seek)
+      .function("next_step", &S::next_step)
+      .function("previous_step", &S::previous_step)
+      .function("remembered_steps", &S::remembered_steps)
+      .function("step_number", &S::step_number)
+      .function("half_step", &S::half_step)
+      .function("last_half_step", &S::last_half_step)
+      .function("vertex_count", &vertices)
+      .function("spring_count", &springs)
+      .function(
+          "p", +[](const S& s) { return lend(s.iterate().p); })
+      .function(
+          "p_before", +[](const S& s) { return lend(s.iterate().p_before); })
+      .function(
+          "p_curr", +[](const S& s) { return lend(s.time_step().p_curr); })
+      .function(
+          "p_prev", +[](const S& s) { return lend(s.time_step().p_prev); })
+      .function(
+          "inertial_prediction",
+          +[](const S& s) { return copy("Float64Array", inertial_prediction(s.time_step())); })
+      .function(
+          "d", +[](const S& s) { return lend(s.iterate().d); })
+      .function(
+          "r", +[](const S& s) { return lend(s.time_step().r); })
+      .function(
+          "m", +[](const S& s) { return lend(s.time_step().m); })
+      .function(
+          "targets", +[](const S& s) { return lend(s.time_step().targets); })
+      .function(
+          "trace", +[](const S& s) { return lend(s.trace().rows()); })
+      .function("probe_vertex", &probe)
+      .function("stiffness_number", &S::stiffness_number)
+      .function("factorisation_count", &S::factorisation_count)
+      .function("factorisation_reason", &S::factorisation_reason)
+      .function(
+          "A", +[](const S& s) { return matrix(springs(s), vertices(s), s.A()); })
+      .function(
+          "M", +[](const S& s) { return matrix(vertices(s), vertices(s), s.M()); })
+      .function(
+          "C", +[](const S& s) { return matrix(pins(s), vertices(s), s.C()); })
+      .function(
+          "Q", +[](const S& s) { return matrix(vertices(s), vertices(s), s.Q()); })
+      .function(
+          "y", +[](const S& s) { return lend(s.y()); })
+      .function(
+          "objective_at", +[](const S& s, val p) { return s.objective_at(doubles(p)); })
+      .function(
+          "gradient_at",
+          +[](const S& s, val p) { return copy("Float64Array", s.gradient_at(doubles(p))); });
+}

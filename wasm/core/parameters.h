@@ -1,0 +1,18 @@
+#pragma once
+
+namespace mass_spring {
+
+enum class Storage { sparse, dense };
+
+struct Parameters {
+  double k = 0;           // N/m: spring stiffness
+  double delta_t = 0;     // s: time step
+  double w = 0;           // N/m: pin penalty
+  double mass_scale = 1;  // dimensionless: multiplies every mass of the scene
+  int iterations = 0;     // local/global iterations of a time step
+  double gravity = 0;     // m/s^2: g = (0, -gravity, 0)
+  bool wind = false;
+  Storage storage = Storage::sparse;
+};
+
+}  // namespace mass_spring

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "types.h"
+
+namespace mass_spring {
+
+/// The signed incidence matrix of the springs, every zero stored. [J] "Matrix form"
+/// @param n  #V
+/// @param E  #E by 2
+/// @param A  #E by #V (result): row e of A p is p_i - p_j
+void signed_incidence_matrix_dense(int n, const Edges& E, DenseMatrix& A);
+
+}  // namespace mass_spring

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "history.h"
+#include "objective.h"
+#include "parameters.h"
+#include "precomputation.h"
+#include "status.h"
+#include "time_step.h"
+#include "trace.h"
+#include "vertex_probe.h"
+
+namespace mass_spring {
+
+/// A scene, its parameters and pins, the known positions, and a cursor inside the time step that
+/// computes the next ones. web/src/solver/module.ts documents every call; arrays come in row-major
+/// and unchecked, references go out until the next call. A call that fails leaves everything as it
+/// was.
+class Simulation {
+ public:
+  Status set_scene(const std::vector<double>& V, const std::vector<int>& E,
+                   const std::vector<double>& m, const std::vector<int>& pinned,
+                   const Parameters& parameters);
+  Status set_parameters(const Parameters& parameters);
+  Status set_pins(const std::vector<int>& pinned, const std::vector<double>& targets);
+  Status reset();
+  Status set_state(int step_number, const std::vector<double>& p_curr,
+                   const std::vector<double>& p_prev, int half_step);
+
+  Status step();
+  Status seek(int half_step);
+  Status next_step();
+  bool previous_step();
+  int remembered_steps() const { return history_.size(); }
+
+  int step_number() const { return state_.step_number; }
+  int half_step() const { return cursor_.half_step; }
+  int last_half_step() const { return 2 * state_.parameters.iterations + 1; }
+
+  /// What the current time step is given; everything but p, d and the trace is in it.
+  const TimeStep& time_step() const { return state_.time_step; }
+  /// p, p_before and d of the cursor.
+  const Iterate& iterate() const { return cursor_.iterate; }
+  const Points& y() const { return workspace_.y; }
+  const Trace& trace() const { return trace_; }
+
+  /// Not-a-numbers where there is no vertex i.
+  VertexProbe probe_vertex(int i) const;
+  /// Not-a-numbers where p is not #V by 3.
+  Objective objective_at(const std::vector<double>& p) const;
+  /// No rows where p is not #V by 3.
+  Points gradient_at(const std::vector<double>& p) const;
+  double stiffness_number() const;
+  int factorisation_count() const { return factorisation_count_; }
+  const std::string& factorisation_reason() const { return factorisation_reason_; }
+
+  Triplets A() const;
+  Triplets M() const;
+  Triplets C() const;
+  Triplets Q() const;
+
+ private:
+  /// All that the trace of the current time step is a function of.
+  struct State {
+    Points V;        // #V by 3, m: rest positions
+    Vector scene_m;  // #V, kg: before mass_scale
+    Parameters parameters;
+    int step_number = 1;
+    TimeStep time_step;  // m, k, Δt, w and f_ext follow from the rest: see complete()
+  };
+  static void complete(State& state);
+
+  bool has_scene() const { return state_.V.rows() > 0; }
+  bool at_accept() const { return has_scene() && cursor_.half_step == last_half_step(); }
+  template <typename Settle>
+  Status replace(State next, const std::string& reason, Settle settle);
+  template <typename Settle>
+  Status advance(Settle settle);
+  Status replace_in_place(State next, const std::string& reason);
+  Status prepare(const std::string& reason);
+  bool precompute();
+  Status run();
+  void next_half_step(Cursor& cursor);
+  double residual(const Cursor& cursor) const;
+
+  State state_;
+  std::variant<SparsePrecomputation, DensePrecomputation> precomputation_;
+  Workspace workspace_;
+  Cursor cursor_;
+  Trace trace_;  // of state_; empty when nothing of it was traced
+  History history_;
+  int factorisation_count_ = 0;
+  std::string factorisation_reason_;
+};
+
+}  // namespace mass_spring

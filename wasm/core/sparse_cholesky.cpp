@@ -1,0 +1,38 @@
+#include "sparse_cholesky.h"
+
+#include <algorithm>
+
+#include "matrix_from_triplets.h"
+
+namespace mass_spring {
+namespace {
+
+bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize(), b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+}  // namespace
+
+bool SparseCholesky::factorise(int n, const Triplets& Q) {
+  SparseMatrix next;
+  matrix_from_triplets(n, n, Q, next);
+  const bool analysed = same_pattern(next, Q_);
+  Q_.swap(next);
+  if (!analysed) llt_.analyzePattern(Q_);
+  llt_.factorize(Q_);
+  // info() alone says Success for a matrix with infinite entries.
+  return llt_.info() == Eigen::Success &&
+         Vector(llt_.matrixL().nestedExpression().diagonal()).allFinite();
+}
+
+void SparseCholesky::solve(const Points& b, DenseMatrix& x, Points& p) const {
+  x.resize(b.rows(), b.cols());
+  x.noalias() = llt_.permutationP() * b;
+  llt_.matrixL().solveInPlace(x);
+  llt_.matrixU().solveInPlace(x);
+  p.noalias() = llt_.permutationPinv() * x;
+}
+
+}  // namespace mass_spring

@@ -1,0 +1,25 @@
+#include "status.h"
+
+namespace mass_spring {
+
+const std::vector<std::string>& status_code_names() {
+  static const std::vector<std::string> names = {
+      "ok",
+      "no_scene",
+      "no_vertices",
+      "wrong_length",
+      "not_finite",
+      "index_out_of_range",
+      "self_spring",
+      "duplicate_spring",
+      "duplicate_pin",
+      "not_positive",
+      "too_stiff",
+      "too_large",
+      "factorisation_failed",
+      "diverged",
+  };
+  return names;
+}
+
+}  // namespace mass_spring

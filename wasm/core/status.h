@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mass_spring {
+
+enum class StatusCode {
+  ok,
+  no_scene,
+  no_vertices,
+  wrong_length,
+  not_finite,
+  index_out_of_range,
+  self_spring,
+  duplicate_spring,
+  duplicate_pin,
+  not_positive,
+  too_stiff,
+  too_large,
+  factorisation_failed,
+  diverged,
+};
+
+/// What a call that can fail returns. Without exceptions in the module, every error is such a
+/// value.
+struct Status {
+  StatusCode code = StatusCode::ok;
+  std::string field;  // the argument or quantity at fault, e.g. "E", "m", "delta_t"
+  int index = -1;     // its row, or -1
+  double value =
+      0;  // the offender: a number, a vertex, bytes, or for a repetition the row it repeats
+
+  bool ok() const { return code == StatusCode::ok; }
+};
+
+/// The spelling of every StatusCode, in order.
+const std::vector<std::string>& status_code_names();
+
+}  // namespace mass_spring

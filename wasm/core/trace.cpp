@@ -1,0 +1,53 @@
+#include "trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edge_vectors.h"
+#include "objective.h"
+#include "projection_energy.h"
+
+namespace mass_spring {
+
+// Where all iterates would take more bytes, only every second, third, … is kept; the others are
+// computed again.
+constexpr double most_bytes = 32 << 20;
+
+void Trace::append(const TimeStep& step, const Cursor& cursor, double residual, int iterations) {
+  const Points& p = cursor.iterate.p;
+  const Objective E = objective(step, p);
+  // At predict nothing is projected yet, and the surrogate is the objective itself.
+  const double spring_term =
+      cursor.half_step == 0 ? E.potential : projection_energy(step.E, step.k, cursor.iterate.d, p);
+  const double surrogate = spring_term + E.inertia + E.external + E.pin;
+  const double change = (p - cursor.iterate.p_before).rowwise().norm().maxCoeff();
+  rows_.insert(rows_.end(), {static_cast<double>(cursor.half_step), E.objective, surrogate,
+                             E.potential, E.inertia, E.external, E.pin, residual, change});
+
+  if (cursor.half_step == 0) {
+    const double bytes = sizeof(double) * static_cast<double>(p.size()) * iterations;
+    stride_ = static_cast<int>(std::ceil(bytes / most_bytes));
+  }
+  const int next_kept = 2 * stride_ * static_cast<int>(iterates_.size());
+  if (cursor.half_step == next_kept) iterates_.push_back(p);
+}
+
+Cursor Trace::start_for(int half_step, const TimeStep& step) const {
+  // One iteration earlier than asked for: the global step from there also leaves the right
+  // p_before.
+  const int iteration = std::max(half_step / 2 - 1, 0);
+  Cursor cursor;
+  Iterate& iterate = cursor.iterate;
+  if (iterates_.empty()) {
+    iterate.p = step.p_curr;
+  } else {
+    const int kept = std::min(iteration / stride_, static_cast<int>(iterates_.size()) - 1);
+    cursor.half_step = 2 * stride_ * kept;
+    iterate.p = iterates_[kept];
+  }
+  iterate.p_before = iterate.p;
+  edge_vectors(step.E, iterate.p, iterate.d);
+  return cursor;
+}
+
+}  // namespace mass_spring

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "time_step.h"
+
+namespace mass_spring {
+
+/// A place inside a time step of K iterations: half_step 0 is predict, 2k-1 local(k), 2k global(k)
+/// for k = 1…K, 2K+1 accept.
+struct Cursor {
+  int half_step = 0;
+  Iterate iterate;
+};
+
+/// The half-steps of one time step that were gone through so far: a row of numbers each, and enough
+/// iterates to return to any of them.
+class Trace {
+ public:
+  /// half_step, objective, surrogate, potential, inertia, external, pin (J), residual (N), change
+  /// (m)
+  static constexpr int columns = 9;
+
+  /// Appends the row of the next half-step, recorded().
+  /// @param residual    max |Qp - b|, N
+  /// @param iterations  K
+  void append(const TimeStep& step, const Cursor& cursor, double residual, int iterations);
+
+  /// A place no later than `half_step` from which to go there by way of half-steps not yet recorded
+  /// or a few that are.
+  Cursor start_for(int half_step, const TimeStep& step) const;
+
+  /// The half-steps 0 … recorded() - 1 have rows.
+  int recorded() const { return static_cast<int>(rows_.size()) / columns; }
+  /// recorded() by columns, row-major.
+  const std::vector<double>& rows() const { return rows_; }
+
+ private:
+  std::vector<double> rows_;
+  int stride_ = 1;                // how many iterations lie between two kept iterates
+  std::vector<Points> iterates_;  // after iterations 0, stride_, 2 stride_, …: #V by 3 each, m
+};
+
+}  // namespace mass_spring
