@@ -43,7 +43,13 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } }, // scenes/ and wasm/ lie beside web/
   preview: { headers: { 'Content-Security-Policy': contentSecurityPolicy } },
-  build: { outDir: '../dist', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
+  build: {
+    outDir: '../dist',
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: Number.POSITIVE_INFINITY, // tests/e2e/budget.spec.ts limits what a visit loads
+  },
   test: {
     root: '.',
     include: ['tests/**/*.test.{ts,tsx}'],
