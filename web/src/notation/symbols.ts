@@ -115,7 +115,7 @@ export const symbols = {
     unit: 'N/m',
     colour: '--symbol-Q',
     section: 'matrices',
-    definition: raw`\symQ = \symk\symA^{\mathsf T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathsf T}\symC`,
+    definition: raw`\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm T}\symC`,
   },
   y: { tex: raw`\mathbf{y}`, code: 'y', shape: '#V × 3', unit: 'N', colour: '--symbol-y', section: 'matrices' },
   b: {
@@ -125,7 +125,7 @@ export const symbols = {
     unit: 'N',
     colour: '--symbol-b',
     section: 'matrices',
-    definition: raw`\symb = \symk\symA^{\mathsf T}\symd + \symy`,
+    definition: raw`\symb = \symk\symA^{\mathrm T}\symd + \symy`,
   },
   L: {
     tex: raw`\mathbf{L}`,
@@ -134,7 +134,7 @@ export const symbols = {
     unit: '√(N/m)',
     colour: '--symbol-other',
     section: 'solve',
-    definition: raw`\symP\symQ\symP^{\mathsf T} = \symL\symL^{\mathsf T}`,
+    definition: raw`\symP\symQ\symP^{\mathrm T} = \symL\symL^{\mathrm T}`,
   },
   P: {
     tex: raw`\mathbf{P}`,
@@ -143,7 +143,7 @@ export const symbols = {
     unit: null,
     colour: '--symbol-other',
     section: 'lab',
-    definition: raw`\symP\symQ\symP^{\mathsf T} = \symL\symL^{\mathsf T}`,
+    definition: raw`\symP\symQ\symP^{\mathrm T} = \symL\symL^{\mathrm T}`,
   },
   fExt: {
     tex: raw`\mathbf{f}^{\mathrm{ext}}`,

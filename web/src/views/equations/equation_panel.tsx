@@ -24,11 +24,13 @@ interface Props {
   /** Whether the cursor stands on this half-step. */
   active: boolean;
   values: LiveValues;
+  /** Why the numbers are not what the reader may expect at this place of the trace; null where they are. */
+  note: string | null;
   children: ComponentChildren;
 }
 
 /** One half-step: what is known and unknown in it, its equation, the equation's symbols, and below them its numbers. */
-export function EquationPanel({ title, formulas, symbols, known, unknown, active, values, children }: Props) {
+export function EquationPanel({ title, formulas, symbols, known, unknown, active, values, note, children }: Props) {
   const panel = useRef<HTMLElement>(null);
   const anchor = pointedElement.value;
   const id = highlightedSymbol.value;
@@ -44,13 +46,18 @@ export function EquationPanel({ title, formulas, symbols, known, unknown, active
         </span>
         {active && <strong class="equation-now">{t('equations.thisHalfStep')}</strong>}
       </p>
-      <div class="equation-formulas">
-        {formulas.map((tex) => (
-          <Formula key={tex} tex={tex} display />
-        ))}
+      <div class="equation-body">
+        <div class="equation-writing">
+          <div class="equation-formulas">
+            {formulas.map((tex) => (
+              <Formula key={tex} tex={tex} display />
+            ))}
+          </div>
+          <SymbolLegend ids={symbols} />
+          {note !== null && <p class="equation-note">{note}</p>}
+        </div>
+        <div class="equation-numbers">{children}</div>
       </div>
-      <SymbolLegend ids={symbols} />
-      <div class="equation-numbers">{children}</div>
       {anchor && id && panel.current?.contains(anchor) && <SymbolCard id={id} anchor={anchor} value={values[id]} />}
     </section>
   );

@@ -3,6 +3,7 @@ import { parameters } from '../../app/state.ts';
 import { columnScale, formatLength, formatQuantity } from '../../lib/format.ts';
 import type { Frame, VertexEquation } from '../../solver/frame.ts';
 import { EquationPanel } from './equation_panel.tsx';
+import { Formula } from './formula.tsx';
 import { VectorTable } from './vector_table.tsx';
 import { vertexMove } from './vertex_move.ts';
 
@@ -10,13 +11,14 @@ const { raw } = String;
 
 export const globalFormulas = [
   raw`\symQ\symp = \symb`,
-  raw`\symb = \symk\symA^{\mathsf T}\symd + \symy`,
-  raw`\symy = \frac{\symM\,(2\sympCurr - \sympPrev)}{\symdeltaT^2} + \symfExt + \symw\symC^{\mathsf T}\symC\,\sympTarget`,
+  raw`\symb = \symk\symA^{\mathrm T}\symd + \symy`,
+  raw`\symy = \frac{\symM\,(2\sympCurr - \sympPrev)}{\symdeltaT^2} + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget`,
 ] as const;
 
 /** The global step's equation, its row for the selected vertex, and how well it is solved. */
 export function GlobalEquation({ frame }: { frame: Frame }) {
   const { k, delta_t, w } = parameters.value;
+  const event = frame.events[frame.half_step];
   return (
     <EquationPanel
       title={t('equations.global.title')}
@@ -25,22 +27,35 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
       known={['d', 'y', 'Q']}
       unknown="p"
       active={frame.phase === 'global'}
+      note={noteAt(frame)}
       values={{ k: formatQuantity(k, 'N/m'), deltaT: formatQuantity(delta_t, 's'), w: formatQuantity(w, 'N/m') }}
     >
       {frame.vertexEquation ? (
         <VertexRow frame={frame} equation={frame.vertexEquation} />
       ) : (
-        <p class="equation-invitation">{t('equations.global.invite')}</p>
+        <p class="equation-note">{t('equations.global.invite')}</p>
       )}
-      <Residual frame={frame} />
+      {event?.phase === 'global' && (
+        <p class="equation-facts">
+          <span>
+            {t('equations.global.residual')} <Formula tex={raw`\lVert \symQ\symp - \symb \rVert_\infty`} /> ={' '}
+            {formatQuantity(event.residual, 'N', 2)}
+          </span>
+        </p>
+      )}
     </EquationPanel>
   );
 }
 
+function noteAt({ phase }: Frame): string | null {
+  if (phase === 'predict') return t('equations.global.notYet');
+  return phase === 'local' ? t('equations.global.waiting') : null;
+}
+
+/** Row i of the equation with its numbers. At predict there is no d, hence no b, hence no numbers. */
 function VertexRow({ frame, equation }: { frame: Frame; equation: VertexEquation }) {
   const { vertex, kAtd, y, b, Qp } = equation;
-  const hasProjection = frame.phase !== 'predict';
-  const scale = columnScale(Math.max(...[...kAtd, ...y, ...b, ...Qp].map(Math.abs)), 'N', 5);
+  const scale = columnScale(Math.max(...[...kAtd, ...y, ...b, ...Qp].map(Math.abs)), 'N');
   return (
     <>
       <p class="equation-facts">
@@ -48,34 +63,19 @@ function VertexRow({ frame, equation }: { frame: Frame; equation: VertexEquation
         {frame.phase === 'global' && (
           <span>{t('equations.global.moved', { length: formatLength(vertexMove(frame, vertex)) })}</span>
         )}
-        {frame.phase === 'local' && <span class="equation-aside">{t('equations.global.waiting')}</span>}
       </p>
-      {hasProjection ? (
+      {frame.phase !== 'predict' && (
         <VectorTable
           caption={t('equations.global.table', { index: vertex, unit: scale.unit })}
           scale={scale}
           rows={[
-            { tex: raw`(\symk\symA^{\mathsf T}\symd)_i`, vector: kAtd },
+            { tex: raw`(\symk\symA^{\mathrm T}\symd)_i`, vector: kAtd },
             { tex: raw`+\;\symy_i`, vector: y },
             { tex: raw`=\;\symb_i`, vector: b },
             { tex: raw`(\symQ\symp)_i`, vector: Qp },
           ]}
         />
-      ) : (
-        <p class="equation-aside">{t('equations.global.notYet')}</p>
       )}
     </>
-  );
-}
-
-/** Only a global step solves, so only there a residual says anything. */
-function Residual({ frame }: { frame: Frame }) {
-  const event = frame.events.find(({ half_step }) => half_step === frame.half_step);
-  if (event?.phase !== 'global') return null;
-  return (
-    <p class="equation-facts">
-      <span>{t('equations.global.residual', { value: formatQuantity(event.residual, 'N', 2) })}</span>
-      <span>{t('equations.global.change', { length: formatLength(event.change) })}</span>
-    </p>
   );
 }

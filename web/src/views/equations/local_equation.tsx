@@ -3,7 +3,7 @@ import { columnScale, formatInColumn, formatLength, formatQuantity } from '../..
 import type { Frame } from '../../solver/frame.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { type Spring, type SpringNumbers, springNumbers } from './spring_numbers.ts';
-import { VectorTable } from './vector_table.tsx';
+import { type VectorRow, VectorTable } from './vector_table.tsx';
 
 const { raw } = String;
 
@@ -27,28 +27,33 @@ export function LocalEquation({ frame, spring }: Props) {
       known={['p', 'r']}
       unknown="d"
       active={frame.phase === 'local'}
+      note={noteAt(frame)}
       values={spring ? { r: formatLength(spring.r, 4) } : {}}
     >
       {spring ? (
-        <Substitution frame={frame} spring={spring} />
+        <Substitution spring={spring} numbers={springNumbers(frame, spring)} />
       ) : (
-        <p class="equation-invitation">{t('equations.local.invite')}</p>
+        <p class="equation-note">{t('equations.local.invite')}</p>
       )}
     </EquationPanel>
   );
 }
 
+function noteAt({ phase, iteration }: Frame): string | null {
+  if (phase === 'local') return null;
+  return phase === 'predict' ? t('equations.local.notYet') : t('equations.local.fromIteration', { iteration });
+}
+
 /** The equation with one spring's numbers in the place of its symbols. */
-function Substitution({ frame, spring }: { frame: Frame; spring: Spring }) {
-  const numbers = springNumbers(frame, spring);
+function Substitution({ spring, numbers }: { spring: Spring; numbers: SpringNumbers }) {
   const { p_i, p_j, difference, length, d } = numbers;
   const scale = columnScale(spring.r > 0 ? spring.r : length, 'm');
-  const rows = [
+  const rows: VectorRow[] = [
     { tex: raw`\symp_i`, vector: p_i },
     { tex: raw`\symp_j`, vector: p_j },
-    { tex: raw`\symp_i - \symp_j`, vector: difference },
+    { tex: raw`\symp_i - \symp_j`, vector: difference, withLength: true },
   ];
-  if (d) rows.push({ tex: raw`\symd_{ij}`, vector: d });
+  if (d) rows.push({ tex: raw`\symd_{ij}`, vector: d, withLength: true });
 
   return (
     <>
@@ -66,11 +71,6 @@ function Substitution({ frame, spring }: { frame: Frame; spring: Spring }) {
         lengthHeading={t('equations.local.length')}
         rows={rows}
       />
-      <p class="equation-aside">
-        {d
-          ? frame.phase !== 'local' && t('equations.local.fromIteration', { iteration: frame.iteration })
-          : t('equations.local.notYet')}
-      </p>
     </>
   );
 }

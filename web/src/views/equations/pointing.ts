@@ -21,16 +21,24 @@ function isInCard(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('.symbol-card') !== null;
 }
 
+/** Where the mouse passes by, a card that the keyboard opened stays. */
+function pointAway(): void {
+  if (pointedElement.value !== document.activeElement) pointAt(null);
+}
+
 /**
  * Handlers for an element that contains formulas and legends. A mouse opens a card by hovering, a finger by tapping
  * (its hover events come in pairs around the tap and must not close the card again), the keyboard by focus.
  */
 export const pointingHandlers = {
   onPointerOver(event: PointerEvent) {
-    if (event.pointerType === 'mouse' && !isInCard(event.target)) pointAt(hookAt(event.target));
+    if (event.pointerType !== 'mouse' || isInCard(event.target)) return;
+    const hook = hookAt(event.target);
+    if (hook) pointAt(hook);
+    else pointAway();
   },
   onPointerLeave(event: PointerEvent) {
-    if (event.pointerType === 'mouse') pointAt(null);
+    if (event.pointerType === 'mouse') pointAway();
   },
   onClick(event: MouseEvent) {
     if (!isInCard(event.target)) pointAt(hookAt(event.target));

@@ -13,13 +13,8 @@ export function SymbolLegend({ ids }: { ids: readonly SymbolId[] }) {
     <ul class="symbol-legend" aria-label={t('equations.legend')}>
       {ids.map((id) => (
         <li key={id}>
-          <button
-            type="button"
-            data-sym={id}
-            aria-label={t(`symbols.name.${id}`)}
-            {...(id === described ? { 'aria-describedby': symbolCardId } : {})}
-          >
-            <Formula tex={symbolCommand(id)} />
+          <button type="button" data-sym={id} {...(id === described ? { 'aria-describedby': symbolCardId } : {})}>
+            <Formula tex={symbolCommand(id)} /> <span class="visually-hidden">{t(`symbols.name.${id}`)}</span>
           </button>
         </li>
       ))}

@@ -2,12 +2,21 @@ import { type ColumnScale, formatInColumn } from '../../lib/format.ts';
 import { Formula } from './formula.tsx';
 import { norm, type Vector } from './vector.ts';
 
+const axes = ['x', 'y', 'z'] as const;
+
+export interface VectorRow {
+  /** Left-hand side. */
+  tex: string;
+  vector: Vector;
+  /** Whether its length says something. */
+  withLength?: boolean;
+}
+
 interface Props {
   caption: string;
-  /** Left-hand sides in TeX, and what they equal. */
-  rows: readonly { tex: string; vector: Vector }[];
+  rows: readonly VectorRow[];
   scale: ColumnScale;
-  /** Heading of a last column with the vectors' lengths; no such column without it. */
+  /** Heading of a last column with lengths; no such column without it. */
   lengthHeading?: string;
 }
 
@@ -19,21 +28,24 @@ export function VectorTable({ caption, rows, scale, lengthHeading }: Props) {
       <thead>
         <tr>
           <td>{scale.unit}</td>
-          <th scope="col">x</th>
-          <th scope="col">y</th>
-          <th scope="col">z</th>
+          {axes.map((axis) => (
+            <th key={axis} scope="col">
+              {axis}
+            </th>
+          ))}
           {lengthHeading !== undefined && <th scope="col">{lengthHeading}</th>}
         </tr>
       </thead>
       <tbody>
-        {rows.map(({ tex, vector }) => (
+        {rows.map(({ tex, vector, withLength }) => (
           <tr key={tex}>
             <th scope="row">
               <Formula tex={tex} />
             </th>
-            {[...vector, ...(lengthHeading === undefined ? [] : [norm(vector)])].map((value, column) => (
-              <td key={column}>{formatInColumn(value, scale)}</td>
+            {vector.map((value, axis) => (
+              <td key={axes[axis]}>{formatInColumn(value, scale)}</td>
             ))}
+            {lengthHeading !== undefined && <td>{withLength && formatInColumn(norm(vector), scale)}</td>}
           </tr>
         ))}
       </tbody>

@@ -1,6 +1,7 @@
 import uPlot from 'uplot';
+import { formatPowerOfTen } from '../../lib/format.ts';
 import { drawTrace, type TraceMarks } from './draw_trace.ts';
-import { decadeLabels, decades } from './log_axis.ts';
+import { decadesAround, decadeTicks } from './log_axis.ts';
 
 export interface ObjectivePlotCallbacks {
   /** The reader points at a half-step, or no longer at any. */
@@ -63,7 +64,7 @@ export class ObjectivePlot {
     const style = getComputedStyle(this.host);
     const colour = (name: string) => style.getPropertyValue(name);
     const axis: uPlot.Axis = {
-      font: `${0.8 * Number.parseFloat(style.fontSize)}px ${style.fontFamily}`,
+      font: `${Math.round(0.8 * Number.parseFloat(style.fontSize))}px ${style.fontFamily}`, // whole pixels: uPlot reads no fractions,
       stroke: () => colour('--muted'),
       grid: { stroke: () => colour('--line'), width: 1 },
       ticks: { stroke: () => colour('--line'), width: 1, size: 4 },
@@ -75,11 +76,17 @@ export class ObjectivePlot {
       cursor: { y: false, points: { show: false }, drag: { x: false, setScale: false } },
       scales: {
         x: { time: false, range: () => [-0.5, this.state.lastHalfStep + 0.5] },
-        y: { distr: 3, range: (_, lowest, highest) => decades(lowest, highest) },
+        y: { distr: 3, range: (_, lowest, highest) => decadesAround(lowest, highest) },
       },
       axes: [
         { ...axis, size: 28, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] },
-        { ...axis, size: 52, values: (_, ticks) => decadeLabels(ticks) },
+        {
+          ...axis,
+          size: 52,
+          splits: (plot, _, lowest, highest) => decadeTicks(lowest, highest, plot.height / 28).map((n) => 10 ** n),
+          filter: (_, ticks) => ticks,
+          values: (_, ticks) => ticks.map((tick) => formatPowerOfTen(Math.round(Math.log10(tick)))),
+        },
       ],
       series: [{}, { paths: () => null, points: { show: false } }],
       hooks: {

@@ -1,0 +1,32 @@
+import { describe, expect, it } from 'vitest';
+import { en } from '../../../web/src/app/messages/en/index.ts';
+import { zh } from '../../../web/src/app/messages/zh/index.ts';
+import { symbolCommand, symbolMacros } from '../../../web/src/notation/macros.ts';
+import { isSymbolId, symbol, symbolIds } from '../../../web/src/notation/symbols.ts';
+
+describe('the symbol table', () => {
+  it.each(symbolIds)('%s has a name and a one-sentence meaning in both languages', (id) => {
+    for (const { symbols } of [en, zh]) {
+      expect(symbols.name[id].length).toBeGreaterThan(0);
+      expect(symbols.meaning[id]).toMatch(/[.。]$/);
+      expect(symbols.section[symbol(id).section].length).toBeGreaterThan(0);
+    }
+  });
+
+  it('has ids that TeX can use in command names', () => {
+    for (const id of symbolIds) expect(symbolCommand(id)).toMatch(/^\\sym[A-Za-z]+$/);
+  });
+
+  it('has no two symbols written alike', () => {
+    expect(new Set(symbolIds.map((id) => symbol(id).tex)).size).toBe(symbolIds.length);
+  });
+
+  it('knows its own ids only', () => {
+    expect(isSymbolId('d')).toBe(true);
+    expect(isSymbolId('toString')).toBe(false);
+  });
+
+  it('gives every symbol a macro that carries its id', () => {
+    for (const id of symbolIds) expect(symbolMacros[symbolCommand(id)]).toContain(`\\htmlData{sym=${id}}`);
+  });
+});
