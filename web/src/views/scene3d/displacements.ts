@@ -9,10 +9,22 @@ export function displacement(p: Float64Array, q: Float64Array, v: number): numbe
   return Math.hypot(p[c] - q[c], p[c + 1] - q[c + 1], p[c + 2] - q[c + 2]);
 }
 
-/** At most `most` of the vertices 0 … count−1, evenly spread, always the same ones so that arrows do not jump between vertices. */
-export function thinned(count: number, most: number): Int32Array {
-  const kept = Math.min(count, most);
-  return Int32Array.from({ length: kept }, (_, a) => Math.floor((a * count) / kept));
+/**
+ * Indices of at most `most` of the points V (#V×3, metres), evenly spread: the first in each cell of the finest grid that has so few.
+ * They depend on rest positions alone, so arrows do not jump between vertices.
+ */
+export function thinned(V: Float64Array, most: number): Int32Array {
+  const extent = V.reduce((largest, coordinate) => Math.max(largest, Math.abs(coordinate)), 0);
+  let chosen = Int32Array.from({ length: V.length / 3 }, (_, v) => v);
+  for (let cell = extent / 256; chosen.length > most; cell *= 1.2) {
+    const first = new Map<string, number>();
+    for (let v = V.length / 3 - 1; v >= 0; v--) {
+      const key = [0, 1, 2].map((c) => Math.floor(V[3 * v + c] / cell)).join();
+      first.set(key, v);
+    }
+    chosen = Int32Array.from(first.values()).sort();
+  }
+  return chosen;
 }
 
 /** Writes an arrow for each of `vertices` to `out` (#vertices×6), from row v of `tails` to row v of `tips`, each #V×3. */

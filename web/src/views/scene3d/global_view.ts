@@ -12,7 +12,9 @@ import { Surface } from './surface.ts';
 import type { Scene3DModel } from './types.ts';
 
 /** More arrows than this are a thicket. */
-const mostArrows = 600;
+const mostArrows = 400;
+/** Springs over a cloth show its mesh and leave its picture. */
+const presenceOnCloth = 0.4;
 
 /** The net that the linear solve stitched together, and what moved. */
 export class GlobalView {
@@ -28,33 +30,38 @@ export class GlobalView {
   private readonly arrows: Segments;
   private readonly arrowVertices: Int32Array;
   private readonly surface: Surface | null;
-  private readonly light = new DirectionalLight('#ffffff', 1.6);
+  private readonly light = new DirectionalLight('#ffffff', 1.9);
 
   constructor(ink: Ink, model: Scene3DModel, onTexture: () => void) {
     this.model = model;
     const vertexCount = model.V.length / 3;
     this.points = model.V.slice();
     this.ghostPoints = model.V.slice();
-    this.arrowVertices = thinned(vertexCount, mostArrows);
+    this.arrowVertices = thinned(model.V, mostArrows);
     this.segments = new Segments(ink, model.r.length, 'among');
     this.vertices = new Marks(ink, vertexCount, 'disc', 'among');
     this.ghost = new Segments(ink, model.r.length, 'beneath');
     this.arrows = new Segments(ink, this.arrowVertices.length, 'above');
     this.surface = model.F.length > 0 ? new Surface(model, onTexture) : null;
     this.overlay = new Overlay(ink, vertexCount);
-    this.scene.add(new HemisphereLight('#ffffff', '#b8bcc4', 1.7), this.light, this.light.target);
+    this.scene.add(new HemisphereLight('#ffffff', '#c4c8d0', 1.7), this.light, this.light.target);
     this.scene.add(this.ghost.mesh, this.segments.mesh, this.vertices.mesh, this.arrows.mesh, this.overlay.group);
     if (this.surface) this.scene.add(this.surface.mesh);
   }
 
   setStyle(palette: Palette, strokes: Strokes): void {
     const { background } = palette;
-    this.ghost.setStyle({ width: strokes.ghost, dot: 0, head: 0, halo: 0 }, background);
-    this.segments.setStyle({ width: 0.7 * strokes.spring, dot: 0, head: 0, halo: strokes.halo }, background);
+    const spring = { width: strokes.spring };
+    this.ghost.setStyle({ width: strokes.ghost });
+    this.segments.setStyle(
+      this.surface?.mesh.visible
+        ? { ...spring, presence: presenceOnCloth }
+        : { ...spring, halo: strokes.halo, haloColour: background },
+    );
     this.vertices.setStyle({ radius: strokes.vertex, halo: 0, colour: palette.vertex, haloColour: background });
-    this.vertices.mesh.visible = strokes.vertex > 0;
-    this.arrows.setStyle({ width: strokes.arrow, dot: 0, head: strokes.arrowHead, halo: 1 }, background);
-    this.overlay.setStyle(palette, strokes);
+    this.vertices.mesh.visible = strokes.vertex > 0 && this.segments.mesh.visible;
+    this.arrows.setStyle({ width: strokes.arrow, head: strokes.arrowHead, halo: 1, haloColour: background });
+    this.overlay.setStyle(palette, strokes, spring);
   }
 
   /** Soft light that goes with the eye, so that no side of the cloth is ever black. */

@@ -89,8 +89,8 @@ const inkVertexShader = /* glsl */ `
     return clip.xy / clip.w * 0.5 * viewport;
   }
 
-  void place(vec2 pixels, vec3 viewPosition) {
-    vec4 clip = projectionMatrix * vec4(viewPosition, 1.0);
+  void place(vec2 pixels, vec3 viewPosition, float lift) {
+    vec4 clip = projectionMatrix * vec4(viewPosition + vec3(0.0, 0.0, lift), 1.0);
     vec4 pushed = projectionMatrix * vec4(viewPosition - vec3(0.0, 0.0, haloDepth), 1.0);
     haloPush = 0.5 * (pushed.z / pushed.w - clip.z / clip.w);
     fade = 0.6 * smoothstep(fadeFrom, fadeTo, -viewPosition.z);
@@ -98,11 +98,12 @@ const inkVertexShader = /* glsl */ `
   }
 `;
 
-/** `paint` fills a shape given its signed distance in device pixels, with a halo around it. */
+/** `paint` fills a shape given its signed distance in device pixels, with a halo around it; what lies behind shows through a `presence` under 1. */
 const inkFragmentShader = /* glsl */ `
   uniform float pixelRatio;
   uniform float halo;
   uniform vec3 haloColour;
+  uniform float presence;
   uniform vec3 background;
   varying float fade;
   varying float haloPush;
@@ -113,7 +114,7 @@ const inkFragmentShader = /* glsl */ `
     float cover = clamp(0.5 + haloWidth - signedDistance, 0.0, 1.0);
     if (cover == 0.0) discard;
     vec3 faded = mix(colour, background, fade);
-    gl_FragColor = vec4(halo > 0.0 ? mix(haloColour, faded, core) : faded, cover);
+    gl_FragColor = vec4(halo > 0.0 ? mix(haloColour, faded, core) : faded, cover * presence);
     gl_FragDepth = gl_FragCoord.z + (core < 0.5 ? haloPush : 0.0);
   }
 `;

@@ -4,11 +4,9 @@ import { springLength } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
-/** CSS pixels that automatic exaggeration aims at, for the gap between torn pieces and for arrows. */
-const gapPixels = 10;
-const arrowPixels = 24;
-/** A gap wider than this share of a spring would leave too little of the piece. */
-const gapShare = 0.35;
+/** What automatic exaggeration aims at: the gap that tears a typical spring from the next, in lengths of the spring, and arrows in CSS pixels. */
+const gapShare = 0.4;
+const arrowPixels = 20;
 
 /** Chooses the automatic scales, and remembers them so that they change seldom. */
 export class LegendScales {
@@ -20,17 +18,16 @@ export class LegendScales {
     this.model = model;
   }
 
-  /** The same object as before when no number changes. `springPixels`: a typical spring on the screen, CSS pixels. */
-  choose(stage: Stage, options: Scene3DOptions, pixelsPerMetre: number, springPixels: number): Scene3DLegend {
+  /** The same object as before when no number changes. */
+  choose(stage: Stage, options: Scene3DOptions, pixelsPerMetre: number): Scene3DLegend {
     const { E, r } = this.model;
     const { torn, ghost, to } = stage;
     const before = this.automatic;
-    const gap = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) - r[e]), 0.8) * pixelsPerMetre;
+    const gap = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) / r[e] - 1), 0.7);
     const strain = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) / r[e] - 1), 0.95);
     const moved = ghost && quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre;
-    const idealGap = Math.min(gapPixels, gapShare * springPixels);
     this.automatic = {
-      localExaggeration: settle(idealGap / gap, before?.localExaggeration, exaggerations),
+      localExaggeration: settle(gapShare / gap, before?.localExaggeration, exaggerations),
       globalExaggeration: moved
         ? settle(arrowPixels / moved, before?.globalExaggeration, exaggerations)
         : (before?.globalExaggeration ?? 1),

@@ -29,12 +29,11 @@ export class LocalView {
   }
 
   setStyle(palette: Palette, strokes: Strokes): void {
-    this.ghost.setStyle({ width: strokes.ghost, dot: 0, head: 0, halo: 0 }, palette.background);
-    this.segments.setStyle(
-      { width: strokes.spring, dot: strokes.pieceDot, head: 0, halo: strokes.halo },
-      palette.background,
-    );
-    this.overlay.setStyle(palette, strokes);
+    const piece = { width: strokes.piece, dot: strokes.pieceDot, swing: strokes.pieceSwing };
+    this.ghost.mesh.visible = strokes.pieceGhost > 0;
+    this.ghost.setStyle({ width: strokes.pieceGhost });
+    this.segments.setStyle({ ...piece, halo: strokes.halo, haloColour: palette.background });
+    this.overlay.setStyle(palette, strokes, piece);
   }
 
   update(d: Scene3DFrame['d'], stage: Stage, palette: Palette, legend: Scene3DLegend): void {

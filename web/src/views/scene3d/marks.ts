@@ -20,6 +20,7 @@ export class Marks {
     halo: { value: 0 },
     haloColour: { value: new Color() },
     colour: { value: new Color() },
+    presence: { value: 1 },
   };
 
   constructor(ink: Ink, capacity: number, shape: keyof typeof shapes, layer: Layer) {
@@ -61,7 +62,7 @@ const vertexMain = /* glsl */ `
       return;
     }
     point = position.xy * ((radius + halo + 2.0) * pixelRatio + 1.0);
-    place(toPixels(viewCentre) + point, viewCentre);
+    place(toPixels(viewCentre) + point, viewCentre, 0.5 * haloDepth);
   }
 `;
 

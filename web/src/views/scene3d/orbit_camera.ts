@@ -1,9 +1,12 @@
-import { Box3, PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { PerspectiveCamera, Spherical, Vector3 } from 'three';
+import type { Framing } from './framing.ts';
 import type { CameraState } from './types.ts';
 
 /** Degrees, vertically: a long lens, so that springs of one length look alike across the view. */
 const fieldOfView = 32;
 const poleMargin = 0.02;
+/** Radians from the front, where `fit` puts the camera. */
+const frontAzimuth = 0.4;
 
 /** A camera that looks at a target from a distance and an angle, +y up. */
 export class OrbitCamera {
@@ -11,9 +14,8 @@ export class OrbitCamera {
   private readonly target = new Vector3();
   /** phi: from +y down; theta: about y, 0 looks along −z. */
   private readonly offset = new Spherical(3, 1.3, 0.4);
-  /** Metres: the scene's bounding box, and half its diagonal. */
-  private readonly box = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
-  private radius = Math.sqrt(3);
+  /** Metres: about half the size of the scene. */
+  sceneRadius = 1;
 
   constructor() {
     this.apply();
@@ -34,11 +36,6 @@ export class OrbitCamera {
     return this.offset.radius;
   }
 
-  /** Metres: half the diagonal of the scene. */
-  get sceneRadius(): number {
-    return this.radius;
-  }
-
   /** CSS pixels that a metre at the target takes in a view of this height. */
   pixelsPerMetre(viewHeight: number): number {
     return viewHeight / (2 * Math.tan((fieldOfView * Math.PI) / 360) * this.offset.radius);
@@ -53,7 +50,10 @@ export class OrbitCamera {
 
   /** Brings the camera nearer by a factor over 1. */
   zoom(factor: number): void {
-    this.offset.radius = Math.max(0.01 * this.radius, Math.min(20 * this.radius, this.offset.radius / factor));
+    this.offset.radius = Math.max(
+      0.01 * this.sceneRadius,
+      Math.min(20 * this.sceneRadius, this.offset.radius / factor),
+    );
     this.apply();
   }
 
@@ -66,43 +66,26 @@ export class OrbitCamera {
     this.apply();
   }
 
-  /** Rest positions of the scene, #V×3: they bound how far the camera goes and what `fit` frames. */
-  setScene(V: Float64Array): void {
-    this.box.copy(boxWithRoomBelow(V));
-    this.radius = this.box.getSize(new Vector3()).length() / 2;
+  /** Goes to the front and a little aside, as near as all the points allow in a view of this aspect. */
+  fit({ points, polar }: Framing, aspect: number): void {
+    this.offset.set(1, polar, frontAzimuth);
+    this.target.set(0, 0, 0);
     this.apply();
-  }
-
-  /** Goes back to the front, a little above and aside, as near as the whole scene allows in a view of this aspect. */
-  fit(aspect: number): void {
-    this.box.getCenter(this.target);
-    this.offset.set(this.radius, 1.3, 0.4);
-    this.apply();
-    this.offset.radius = 1.08 * this.nearestDistance(aspect);
-    this.apply();
-  }
-
-  /** Metres from the target at which every corner of the scene is inside the view. */
-  private nearestDistance(aspect: number): number {
+    const [right, up, back] = [0, 1, 2].map((c) => new Vector3().setFromMatrixColumn(this.camera.matrix, c));
     const vertical = Math.tan((fieldOfView * Math.PI) / 360);
-    const turned = this.camera.quaternion.clone().invert();
-    let nearest = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const [x, y, z] = [0, 1, 2].map((c) => (corner & (1 << c) ? this.box.max : this.box.min).getComponent(c));
-      const seen = new Vector3(x, y, z).sub(this.target).applyQuaternion(turned);
-      nearest = Math.max(
-        nearest,
-        seen.z + Math.max(Math.abs(seen.x) / (vertical * aspect), Math.abs(seen.y) / vertical),
-      );
-    }
-    return nearest;
+    const horizontal = vertical * aspect;
+    const upwards = span(points, up, back, vertical);
+    const sideways = span(points, right, back, horizontal);
+    this.offset.radius = 1.12 * Math.max(upwards.reach / vertical, sideways.reach / horizontal);
+    this.target.addScaledVector(right, sideways.centre).addScaledVector(up, upwards.centre);
+    this.apply();
   }
 
   private apply(): void {
     this.camera.position.setFromSpherical(this.offset).add(this.target);
     this.camera.lookAt(this.target);
-    this.camera.near = Math.max(this.offset.radius - 4 * this.radius, 0.01 * this.offset.radius);
-    this.camera.far = this.offset.radius + 8 * this.radius;
+    this.camera.near = Math.max(this.offset.radius - 4 * this.sceneRadius, 0.01 * this.offset.radius);
+    this.camera.far = this.offset.radius + 8 * this.sceneRadius;
     this.camera.updateMatrixWorld();
   }
 
@@ -113,10 +96,21 @@ export class OrbitCamera {
   }
 }
 
-/** The bounding box of the points (#×3), with room below: nets sag and flags fall before they hang. */
-export function boxWithRoomBelow(points: Float64Array): Box3 {
-  const box = new Box3().setFromArray(points);
-  const size = box.getSize(new Vector3());
-  box.min.y -= 0.3 * Math.max(size.x, size.z);
-  return box;
+/**
+ * A camera looking along −back with slope tan(half field of view) sees a point of height h along `axis` and depth z along `back`
+ * when h + slope·z ≤ slope·distance + centre and −h + slope·z ≤ slope·distance − centre.
+ * Returns the least slope·distance at which it sees every point, and its centre then; metres.
+ */
+function span(points: Float64Array, axis: Vector3, back: Vector3, slope: number): { reach: number; centre: number } {
+  let above = Number.NEGATIVE_INFINITY;
+  let below = Number.NEGATIVE_INFINITY;
+  const point = new Vector3();
+  for (let at = 0; at < points.length; at += 3) {
+    point.fromArray(points, at);
+    const height = point.dot(axis);
+    const depth = slope * point.dot(back);
+    above = Math.max(above, depth + height);
+    below = Math.max(below, depth - height);
+  }
+  return { reach: (above + below) / 2, centre: (above - below) / 2 };
 }

@@ -2,7 +2,7 @@ import { Group } from 'three';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
 import type { Palette } from './palette.ts';
-import { Segments } from './segments.ts';
+import { type SegmentStyle, Segments } from './segments.ts';
 import type { Strokes } from './strokes.ts';
 import type { Scene3DFrame } from './types.ts';
 
@@ -26,17 +26,19 @@ export class Overlay {
     this.group.add(this.hovered.group, this.selected.group, this.pins.mesh);
   }
 
-  setStyle(palette: Palette, strokes: Strokes): void {
+  /** `spring`: how this view draws its springs. */
+  setStyle(palette: Palette, strokes: Strokes, spring: SegmentStyle): void {
     const { background, pin } = palette;
-    this.pins.setStyle({ radius: strokes.pin, halo: 1.5, colour: pin, haloColour: background });
-    this.selected.setStyle(palette, strokes, 3);
-    this.hovered.setStyle(palette, strokes, 1.5);
+    this.pins.setStyle({ radius: strokes.pin, halo: strokes.pinHalo, colour: pin, haloColour: background });
+    this.selected.setStyle(palette, strokes, spring, 3);
+    this.hovered.setStyle(palette, strokes, spring, 1.5);
   }
 
-  /** `segments` as drawn in this view, `points` #V×3 its vertices. */
+  /** `ends` #E×6 and `points` #V×3 as drawn in this view; `colours` #E×4: the same in both views, so that one sees it is the same spring. */
   update(
     frame: Scene3DFrame,
-    segments: Segments,
+    ends: Float32Array,
+    colours: Uint8Array,
     points: Float64Array,
     selected: Highlighted,
     hovered: Highlighted,
@@ -44,8 +46,8 @@ export class Overlay {
     this.pins.centres.set(frame.targets);
     this.pins.mesh.geometry.instanceCount = frame.pinned.length;
     this.pins.commit();
-    this.selected.update(segments, points, selected);
-    this.hovered.update(segments, points, hovered);
+    this.selected.update(ends, colours, points, selected);
+    this.hovered.update(ends, colours, points, hovered);
   }
 
   dispose(): void {
@@ -64,16 +66,16 @@ class Highlight {
     this.group.add(this.spring.mesh, this.ring.mesh);
   }
 
-  setStyle({ selected, background }: Palette, strokes: Strokes, weight: number): void {
-    this.spring.setStyle({ width: strokes.selected, dot: strokes.pieceDot, head: 0, halo: weight }, selected);
+  setStyle({ selected, background }: Palette, strokes: Strokes, spring: SegmentStyle, weight: number): void {
+    this.spring.setStyle({ ...spring, width: Math.max(2.5, spring.width), halo: weight, haloColour: selected });
     this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: 1, colour: selected, haloColour: background });
   }
 
-  update(segments: Segments, points: Float64Array, { spring, vertex }: Highlighted): void {
+  update(ends: Float32Array, colours: Uint8Array, points: Float64Array, { spring, vertex }: Highlighted): void {
     this.spring.mesh.visible = spring !== null;
     if (spring !== null) {
-      this.spring.ends.set(segments.ends.subarray(6 * spring, 6 * spring + 6));
-      this.spring.colours.set(segments.colours.subarray(4 * spring, 4 * spring + 4));
+      this.spring.ends.set(ends.subarray(6 * spring, 6 * spring + 6));
+      this.spring.colours.set(colours.subarray(4 * spring, 4 * spring + 4));
       this.spring.commitEnds();
       this.spring.commitColours();
     }

@@ -1,7 +1,6 @@
 /** Colours of the 3D views, all "#rrggbb". Hues are Okabe and Ito's, which survive colour blindness. */
 export interface Palette {
   background: string;
-  grid: string;
   /** Springs of the global view, where strain is not the point. */
   spring: string;
   vertex: string;
@@ -16,35 +15,29 @@ export interface Palette {
   strain: StrainScale;
 }
 
-/** A diverging scale: shorter than at rest, at rest, longer than at rest. */
-export interface StrainScale {
-  compressed: string;
-  neutral: string;
-  stretched: string;
-}
+/** A diverging scale in equal strides: much shorter than at rest, shorter, at rest, longer, much longer. */
+export type StrainScale = readonly [string, string, string, string, string];
 
 export const lightPalette: Palette = {
   background: '#ffffff',
-  grid: '#eef0f3',
-  spring: '#3f4a5a',
+  spring: '#4b5768',
   vertex: '#036dd7',
   ghost: '#d3d8df',
   arrow: '#009e73',
   pin: '#b0407f',
-  selected: '#e69f00',
+  selected: '#141a22',
   cloth: '#dfe7ee',
-  strain: { compressed: '#0072b2', neutral: '#a9b0ba', stretched: '#d55e00' },
+  strain: ['#0072b2', '#56b4e9', '#99a2ae', '#e69f00', '#d55e00'],
 };
 
 export const darkPalette: Palette = {
   background: '#101318',
-  grid: '#1b2027',
-  spring: '#b4becb',
+  spring: '#97a3b3',
   vertex: '#2a95fe',
   ghost: '#39414d',
   arrow: '#2ec79b',
   pin: '#e58fc0',
-  selected: '#f0b429',
+  selected: '#ffffff',
   cloth: '#8494a6',
-  strain: { compressed: '#56b4e9', neutral: '#707a88', stretched: '#ee7733' },
+  strain: ['#6cc5ff', '#4a94cb', '#7a8593', '#d9a032', '#ff8b3d'],
 };

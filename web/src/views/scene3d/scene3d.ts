@@ -1,10 +1,12 @@
-import { WebGLRenderer } from 'three';
+import { Box3, Vector3, WebGLRenderer } from 'three';
+import { framingOf } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
 import { type DrawnView, Interaction } from './interaction.ts';
 import { OrbitCamera } from './orbit_camera.ts';
 import { lightPalette } from './palette.ts';
 import { projectPoints, worldToClip } from './projection.ts';
 import { SceneContent } from './scene_content.ts';
+import { type StagedFrame, stageOf } from './stages.ts';
 import {
   type CameraState,
   type Hit,
@@ -34,6 +36,7 @@ export class Scene3D {
   private content: SceneContent | null = null;
   /** Whether the camera has been set for this scene. */
   private framed = false;
+  private staged: StagedFrame | null = null;
   private legend: Scene3DLegend | null = null;
   private rectangles: Record<ViewName, Rectangle | null> = { local: null, global: null };
   private options: Scene3DOptions = {
@@ -59,19 +62,22 @@ export class Scene3D {
     canvas.addEventListener('webglcontextrestored', () => callbacks.onInvalidate(), { signal });
   }
 
-  /** Replaces the scene; it rests, unpinned, until a frame is set. The next drawing frames it, unless `setCamera` comes first. */
+  /** Replaces the scene. Its first drawing brings all of it into view, unless `setCamera` comes first. */
   setScene(model: Scene3DModel): void {
     this.content?.dispose();
     this.content = new SceneContent(this.ink, model, () => this.callbacks.onInvalidate());
     this.interaction.hovered = null;
-    this.orbitCamera.setScene(model.V);
+    this.orbitCamera.sceneRadius = new Box3().setFromArray(model.V).getSize(new Vector3()).length() / 2;
     this.framed = false;
     this.callbacks.onInvalidate();
   }
 
-  /** `progress`: how much of the tear (at local) or the stitch (at global) has been animated, 0 … 1. */
+  /**
+   * `progress`: how much of the tear (at local) or the stitch (at global) has been animated, 0 … 1.
+   * Scene and frame may be set in either order: nothing is drawn while they are of different sizes.
+   */
   setFrame(frame: Scene3DFrame, progress = 1): void {
-    this.content?.setFrame(frame, progress);
+    this.staged = { frame, stage: stageOf(frame, progress) };
     this.callbacks.onInvalidate();
   }
 
@@ -92,12 +98,20 @@ export class Scene3D {
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(this.options.palette.background);
     this.renderer.clear();
-    if (!this.content || this.shownViews().length === 0) return;
+    const drawn = this.drawn();
+    if (!drawn) return;
+    const { content, staged } = drawn;
 
-    if (!this.framed) this.orbitCamera.fit(this.narrowestAspect());
+    if (!this.framed) this.fitCamera(content, staged);
     this.framed = true;
     const { camera } = this.orbitCamera;
-    const legend = this.content.refresh(this.options, this.pixelsPerMetre(), this.interaction.hovered, camera.position);
+    const legend = content.refresh(
+      staged,
+      this.options,
+      this.pixelsPerMetre(),
+      this.interaction.hovered,
+      camera.position,
+    );
     if (legend !== this.legend) this.callbacks.onLegend(legend);
     this.legend = legend;
 
@@ -108,8 +122,8 @@ export class Scene3D {
       this.renderer.setViewport(x, bottom, width, height);
       this.renderer.setScissor(x, bottom, width, height);
       this.orbitCamera.setAspect(width / height);
-      this.prepareInk(this.content, rectangle);
-      this.renderer.render(this.content.views[name].scene, camera);
+      this.prepareInk(content, rectangle);
+      this.renderer.render(content.views[name].scene, camera);
     }
   }
 
@@ -125,7 +139,8 @@ export class Scene3D {
 
   /** Frames the whole scene. */
   fit(): void {
-    this.interaction.moveCamera((camera) => camera.fit(this.narrowestAspect()));
+    const drawn = this.drawn();
+    if (drawn) this.interaction.moveCamera(() => this.fitCamera(drawn.content, drawn.staged));
   }
 
   /** Radians. */
@@ -161,6 +176,13 @@ export class Scene3D {
     this.renderer.dispose();
   }
 
+  /** What there is to draw, or null. */
+  private drawn(): { content: SceneContent; staged: StagedFrame } | null {
+    const { content, staged } = this;
+    if (!content || !staged || this.shownViews().length === 0) return null;
+    return staged.frame.p.length === content.V.length ? { content, staged } : null;
+  }
+
   private shownViews(): { name: ViewName; rectangle: Rectangle }[] {
     return (['local', 'global'] as const).flatMap((name) => {
       const rectangle = this.rectangles[name];
@@ -168,8 +190,9 @@ export class Scene3D {
     });
   }
 
-  private narrowestAspect(): number {
-    return Math.min(...this.shownViews().map(({ rectangle }) => rectangle.width / rectangle.height));
+  private fitCamera({ V }: SceneContent, { frame }: StagedFrame): void {
+    const aspects = this.shownViews().map(({ rectangle }) => rectangle.width / rectangle.height);
+    this.orbitCamera.fit(framingOf(V, frame.pinned), Math.min(...aspects));
   }
 
   /** At the camera's target. */
@@ -184,7 +207,7 @@ export class Scene3D {
     this.ink.pixelRatio.value = pixelRatio;
     setInkColour(this.ink.background.value, this.options.palette.background);
     this.ink.fadeFrom.value = distance;
-    this.ink.fadeTo.value = distance + 2 * sceneRadius;
+    this.ink.fadeTo.value = distance + 3 * sceneRadius;
     this.ink.haloDepth.value = content.typicalRestLength / 2;
   }
 
@@ -192,9 +215,10 @@ export class Scene3D {
     const shown = this.shownViews().find(({ rectangle: r }) => {
       return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
     });
-    if (!shown || !this.content) return null;
-    const { points, segments } = this.content.views[shown.name];
-    const { frame, typicalRestLength } = this.content;
-    return { ...shown, points, ends: segments.ends, frame, springPixels: typicalRestLength * this.pixelsPerMetre() };
+    const drawn = this.drawn();
+    if (!shown || !drawn) return null;
+    const { points, segments } = drawn.content.views[shown.name];
+    const springPixels = drawn.content.typicalRestLength * this.pixelsPerMetre();
+    return { ...shown, points, ends: segments.ends, frame: drawn.staged.frame, springPixels };
   }
 }

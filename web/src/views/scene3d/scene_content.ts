@@ -5,17 +5,17 @@ import type { Ink } from './ink.ts';
 import { LegendScales } from './legend_scales.ts';
 import { LocalView } from './local_view.ts';
 import type { Palette } from './palette.ts';
-import { type Stage, stageOf } from './stages.ts';
+import type { Stage, StagedFrame } from './stages.ts';
 import { strokesFor } from './strokes.ts';
-import type { Hit, Scene3DFrame, Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
+import type { Hit, Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
-/** Everything allocated for one scene, and the frame it shows. */
+/** Everything allocated for one scene. */
 export class SceneContent {
   readonly views: { local: LocalView; global: GlobalView };
   /** Metres: the median rest length. */
   readonly typicalRestLength: number;
-  frame: Scene3DFrame;
-  private stage: Stage;
+  /** #V×3, metres. */
+  readonly V: Float64Array;
   private readonly scales: LegendScales;
   /** What the large buffers hold. */
   private shown: [Stage, Palette, boolean, boolean, Scene3DLegend] | null = null;
@@ -24,34 +24,25 @@ export class SceneContent {
     this.views = { local: new LocalView(ink, model), global: new GlobalView(ink, model, onTexture) };
     this.scales = new LegendScales(model);
     this.typicalRestLength = quantile(model.r.length, (e) => model.r[e], 0.5);
-    this.frame = {
-      phase: 'accept',
-      p: model.V,
-      pBefore: model.V,
-      d: null,
-      prediction: model.V,
-      pinned: new Int32Array(),
-      targets: new Float64Array(),
-    };
-    this.stage = stageOf(this.frame, 1);
-  }
-
-  setFrame(frame: Scene3DFrame, progress: number): void {
-    this.frame = frame;
-    this.stage = stageOf(frame, progress);
+    this.V = model.V;
   }
 
   /** Makes both views ready to be drawn; writes the large buffers only when what they hold has changed. */
-  refresh(options: Scene3DOptions, pixelsPerMetre: number, hovered: Hit | null, eye: Vector3): Scene3DLegend {
+  refresh(
+    { frame, stage }: StagedFrame,
+    options: Scene3DOptions,
+    pixelsPerMetre: number,
+    hovered: Hit | null,
+    eye: Vector3,
+  ): Scene3DLegend {
     const { local, global } = this.views;
     const { palette, showSprings, showSurface, selectedSpring, selectedVertex } = options;
-    const springPixels = this.typicalRestLength * pixelsPerMetre;
-    const strokes = strokesFor(springPixels);
-    const legend = this.scales.choose(this.stage, options, pixelsPerMetre, springPixels);
-    const wanted: NonNullable<typeof this.shown> = [this.stage, palette, showSprings, showSurface, legend];
+    const strokes = strokesFor(this.typicalRestLength * pixelsPerMetre);
+    const legend = this.scales.choose(stage, options, pixelsPerMetre);
+    const wanted: NonNullable<typeof this.shown> = [stage, palette, showSprings, showSurface, legend];
     if (!wanted.every((part, at) => part === this.shown?.[at])) {
-      local.update(this.frame.d, this.stage, palette, legend);
-      global.update(this.stage, palette, legend.globalExaggeration, { springs: showSprings, surface: showSurface });
+      local.update(frame.d, stage, palette, legend);
+      global.update(stage, palette, legend.globalExaggeration, { springs: showSprings, surface: showSurface });
       this.shown = wanted;
     }
     const selected = { spring: selectedSpring, vertex: selectedVertex };
@@ -61,7 +52,7 @@ export class SceneContent {
     };
     for (const view of [local, global]) {
       view.setStyle(palette, strokes);
-      view.overlay.update(this.frame, view.segments, view.points, selected, pointedAt);
+      view.overlay.update(frame, view.segments.ends, local.segments.colours, view.points, selected, pointedAt);
     }
     global.lightFrom(eye);
     return legend;

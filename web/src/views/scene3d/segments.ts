@@ -8,14 +8,19 @@ import {
 import { parseColour } from './colour.ts';
 import { createInkMesh, type Ink, type Layer, setInkColour } from './ink.ts';
 
-/** CSS pixels. */
+/** Lengths in CSS pixels; what is not given is not there. */
 export interface SegmentStyle {
   width: number;
-  /** Radius of the dot at either end; 0 for none. */
-  dot: number;
-  /** Length of the arrow head at the end; 0 for none. */
-  head: number;
-  halo: number;
+  /** Radius of a dot at either end. */
+  dot?: number;
+  /** Length of an arrow head at the end. */
+  head?: number;
+  /** How far a zigzag swings aside of a straight line. */
+  swing?: number;
+  halo?: number;
+  haloColour?: string;
+  /** How much of what lies behind it is covered, 0 … 1; all unless given. */
+  presence?: number;
 }
 
 /** Line segments of a width in pixels with round ends, dots or arrow heads. Fill `ends` and `colours`, then `commit()`. */
@@ -32,6 +37,8 @@ export class Segments {
     width: { value: 1 },
     dotRadius: { value: 0 },
     head: { value: 0 },
+    swing: { value: 0 },
+    presence: { value: 1 },
     halo: { value: 0 },
     haloColour: { value: new Color() },
   };
@@ -48,12 +55,14 @@ export class Segments {
     this.mesh.geometry.instanceCount = capacity;
   }
 
-  setStyle({ width, dot, head, halo }: SegmentStyle, haloColour: string): void {
+  setStyle({ width, dot = 0, head = 0, swing = 0, halo = 0, haloColour, presence = 1 }: SegmentStyle): void {
     this.uniforms.width.value = width;
     this.uniforms.dotRadius.value = dot;
     this.uniforms.head.value = head;
+    this.uniforms.swing.value = swing;
     this.uniforms.halo.value = halo;
-    setInkColour(this.uniforms.haloColour.value, haloColour);
+    this.uniforms.presence.value = presence;
+    if (haloColour) setInkColour(this.uniforms.haloColour.value, haloColour);
   }
 
   /** One colour for all of them. */
@@ -85,6 +94,7 @@ const vertexMain = /* glsl */ `
   uniform float width;
   uniform float dotRadius;
   uniform float head;
+  uniform float swing;
   attribute vec3 start;
   attribute vec3 end;
   attribute vec3 colour;
@@ -104,11 +114,12 @@ const vertexMain = /* glsl */ `
     vec2 to = toPixels(b);
     extent = distance(from, to);
     vec2 direction = extent > 0.0 ? (to - from) / extent : vec2(1.0, 0.0);
-    float margin = (max(max(0.5 * width, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
+    if (head > 0.0 && extent < 2.0 * pixelRatio) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+    float margin = (max(max(0.5 * width + swing, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
     bool atStart = position.y < 0.0;
     point = vec2(atStart ? -margin : extent + margin, position.x * margin);
     strokeColour = colour;
-    place(from + point.x * direction + point.y * vec2(-direction.y, direction.x), atStart ? a : b);
+    place(from + point.x * direction + point.y * vec2(-direction.y, direction.x), atStart ? a : b, 0.0);
   }
 `;
 
@@ -116,9 +127,35 @@ const fragmentMain = /* glsl */ `
   uniform float width;
   uniform float dotRadius;
   uniform float head;
+  uniform float swing;
   varying vec2 point;
   varying float extent;
   varying vec3 strokeColour;
+
+  const float bends = 8.0;
+
+  vec2 zigzagNode(float index) {
+    float at = clamp((index - 0.5) / bends, 0.0, 1.0);
+    bool bent = index > 0.0 && index < bends + 1.0;
+    float side = mod(index, 2.0) < 0.5 ? 1.0 : -1.0;
+    float aside = min(swing * pixelRatio, 0.12 * extent); // seen from its end, a spring is not a scribble
+    return vec2(mix(0.16, 0.84, at) * extent, bent ? side * aside : 0.0);
+  }
+
+  float toSegment(vec2 a, vec2 b) {
+    vec2 ab = b - a;
+    return length(point - a - clamp(dot(point - a, ab) / dot(ab, ab), 0.0, 1.0) * ab);
+  }
+
+  float zigzag() {
+    float index = clamp(floor((point.x / extent - 0.16) / 0.68 * bends + 0.5), 0.0, bends);
+    float nearest = min(toSegment(vec2(0.0), zigzagNode(0.0)), toSegment(zigzagNode(bends + 1.0), vec2(extent, 0.0)));
+    for (float step = -1.0; step <= 1.0; step++) {
+      float from = clamp(index + step, 0.0, bends);
+      nearest = min(nearest, toSegment(zigzagNode(from), zigzagNode(from + 1.0)));
+    }
+    return nearest;
+  }
 
   float arrowHead(float headLength) {
     float halfWidth = 0.42 * headLength;
@@ -129,7 +166,8 @@ const fragmentMain = /* glsl */ `
   void main() {
     float headLength = min(head * pixelRatio, extent);
     float shaft = extent - headLength;
-    float shape = length(vec2(point.x - clamp(point.x, 0.0, shaft), point.y)) - 0.5 * width * pixelRatio;
+    float line = swing > 0.0 ? zigzag() : length(vec2(point.x - clamp(point.x, 0.0, shaft), point.y));
+    float shape = line - 0.5 * width * pixelRatio;
     float dots = min(length(point), length(point - vec2(extent, 0.0))) - dotRadius * pixelRatio;
     if (dotRadius > 0.0) shape = min(shape, dots);
     if (head > 0.0) shape = min(shape, arrowHead(headLength));

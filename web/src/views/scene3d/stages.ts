@@ -18,6 +18,11 @@ export interface Stage {
   towardsGhost: boolean;
 }
 
+export interface StagedFrame {
+  frame: Scene3DFrame;
+  stage: Stage;
+}
+
 /** A pure function of the frame and of how much of its animation has passed, 0 … 1. */
 export function stageOf(frame: Scene3DFrame, progress: number): Stage {
   const { phase, p, pBefore, d, prediction } = frame;

@@ -34,7 +34,15 @@ export class Surface {
     geometry.setAttribute('normal', this.normals);
     geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
     geometry.setIndex(new BufferAttribute(triangles, 1));
-    this.mesh = new Mesh(geometry, new MeshLambertMaterial({ side: DoubleSide }));
+    this.mesh = new Mesh(
+      geometry,
+      new MeshLambertMaterial({
+        side: DoubleSide,
+        polygonOffset: true, // lets springs in the cloth lie on it
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 4,
+      }),
+    );
     this.mesh.frustumCulled = false;
     if (model.texture) this.loadTexture(model.texture.url, onTexture);
   }
