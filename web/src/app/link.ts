@@ -32,7 +32,7 @@ export function decodeLink(fragment: string, fallback: AppState): { state: AppSt
     const value = rest.join('=');
     const read = readPart(part, value);
     if (read.ok) state[part] = read.value;
-    else problems.push({ part, value: value.slice(0, 60) });
+    else problems.push({ part, value: readable(value).slice(0, 60) });
   }
   return { state: state as unknown as AppState, problems };
 }
@@ -45,6 +45,15 @@ function readPart(part: string, text: string): { ok: true; value: unknown } | { 
     return result.success ? { ok: true, value: result.data } : { ok: false };
   } catch {
     return { ok: false }; // broken percent escapes or JSON
+  }
+}
+
+/** What was written before something percent-encoded it, where that can be told. */
+function readable(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
   }
 }
 
