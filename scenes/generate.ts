@@ -5,6 +5,7 @@ import { toJSONSchema } from 'zod/mini';
 import { sceneFileSchema } from '../web/src/scene/scene_file.ts';
 import { chain } from './rules/chain.ts';
 import { flag } from './rules/flag.ts';
+import { jsonText } from './rules/json_text.ts';
 import { net } from './rules/net.ts';
 import { singleSpring } from './rules/single_spring.ts';
 import { skirt } from './rules/skirt.ts';
@@ -14,6 +15,6 @@ import { writtenScene } from './rules/written_scene.ts';
 const folder = process.argv[2] ?? import.meta.dirname;
 
 const files = [singleSpring(), chain(), net(), flag(), skirt(), tower()].flatMap((scene) => [...writtenScene(scene)]);
-files.push(['scene.schema.json', `${JSON.stringify(toJSONSchema(sceneFileSchema, { io: 'input' }), null, 2)}\n`]);
+files.push(['scene.schema.json', `${jsonText(toJSONSchema(sceneFileSchema, { io: 'input' }))}\n`]);
 
 for (const [name, content] of files) await writeFile(join(folder, name), content);

@@ -13,6 +13,8 @@ export interface MadeScene {
   k: number;
   /** kg, of each vertex; a surface may leave its masses to its area. */
   m?: number;
+  /** Of each time step, where the default would be too slow to watch. */
+  iterations?: number;
 }
 
 export type Point = [x: number, y: number, z: number];

@@ -1,4 +1,5 @@
 import { encode } from 'fast-png';
+import { jsonText } from './json_text.ts';
 import type { MadeScene } from './made_scene.ts';
 
 /** The files of a scene: name → content. */
@@ -15,13 +16,16 @@ export function writtenScene(scene: MadeScene): Map<string, string | Uint8Array>
   return files;
 }
 
-function sceneText({ name, shape, pinned, k, m }: MadeScene): string {
-  const fields = [`"obj": "${name}.obj"`];
-  if ('picture' in shape) fields.push(`"png": "${name}.png"`);
-  fields.push(`"k": ${k}`);
-  if (m !== undefined) fields.push(`"m": ${m}`);
-  fields.push(`"b": [${pinned.map((i) => i + 1).join(', ')}]`);
-  return `{\n  ${fields.join(',\n  ')}\n}\n`;
+function sceneText({ name, shape, pinned, k, m, iterations }: MadeScene): string {
+  const fields = {
+    obj: `${name}.obj`,
+    ...('picture' in shape && { png: `${name}.png` }),
+    k,
+    ...(m !== undefined && { m }),
+    ...(iterations !== undefined && { iterations }),
+    b: pinned.map((i) => i + 1),
+  };
+  return `${jsonText(fields)}\n`;
 }
 
 function objText({ name, vertices, shape }: MadeScene): string {
