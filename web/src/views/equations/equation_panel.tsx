@@ -12,8 +12,6 @@ import 'katex/dist/katex.min.css';
 import '../../notation/colours.css';
 import './equations.css';
 
-export type LiveValues = Partial<Record<SymbolId, string>>;
-
 interface Props {
   title: string;
   /** Each wraps as a whole on narrow screens. */
@@ -23,7 +21,8 @@ interface Props {
   unknown: SymbolId;
   /** Whether the cursor stands on this half-step. */
   active: boolean;
-  values: LiveValues;
+  /** What some of the symbols are at present. */
+  values: Partial<Record<SymbolId, string>>;
   /** Why the numbers are not what the reader may expect at this place of the trace; null where they are. */
   note: string | null;
   children: ComponentChildren;

@@ -13,8 +13,10 @@ export function pointAt(element: HTMLElement | null): void {
   });
 }
 
+/** A legend's button has the focus as a whole, so it comes before the hook of the formula inside it. */
 function hookAt(target: EventTarget | null): HTMLElement | null {
-  return target instanceof Element ? target.closest<HTMLElement>('[data-sym]') : null;
+  if (!(target instanceof Element)) return null;
+  return target.closest<HTMLElement>('button[data-sym]') ?? target.closest<HTMLElement>('[data-sym]');
 }
 
 function isInCard(target: EventTarget | null): boolean {

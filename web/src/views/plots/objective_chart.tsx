@@ -38,13 +38,8 @@ function Trace({ frame, stale, onSeek }: Props & { stale: boolean }) {
   const { events, step, half_step: cursorHalfStep, last_half_step: lastHalfStep } = frame;
   const [inspectedHalfStep, inspect] = useState<number | null>(null);
   const points = useMemo(() => objectiveTrace(events), [events]);
-  const host = usePlot(
-    { points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale },
-    {
-      onInspect: inspect,
-      onSeek,
-    },
-  );
+  const marks = { points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale };
+  const host = usePlot(marks, { onInspect: inspect, onSeek });
 
   const shown = points[inspectedHalfStep ?? cursorHalfStep];
   const highest = formatQuantity(Math.max(...points.map(({ height }) => height ?? 0)), 'J');

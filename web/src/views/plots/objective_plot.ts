@@ -63,8 +63,9 @@ export class ObjectivePlot {
   private build(): uPlot {
     const style = getComputedStyle(this.host);
     const colour = (name: string) => style.getPropertyValue(name);
+    const pixels = Math.round(0.8 * Number.parseFloat(style.fontSize)); // uPlot reads no fractions
     const axis: uPlot.Axis = {
-      font: `${Math.round(0.8 * Number.parseFloat(style.fontSize))}px ${style.fontFamily}`, // whole pixels: uPlot reads no fractions,
+      font: `${pixels}px ${style.fontFamily}`,
       stroke: () => colour('--muted'),
       grid: { stroke: () => colour('--line'), width: 1 },
       ticks: { stroke: () => colour('--line'), width: 1, size: 4 },

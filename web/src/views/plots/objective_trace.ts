@@ -17,15 +17,14 @@ export function objectiveTrace(events: readonly TraceEvent[]): TracePoint[] {
   const lowest = Math.min(...events.map((event) => event.objective));
   const rounding = 8 * Number.EPSILON * Math.max(...events.map(largestTerm));
   return events.map((event, index) => {
-    const height = level(event) - lowest;
+    const height = event.surrogate - lowest;
     const before = events[index - 1];
-    return { event, height: height > rounding ? height : null, drop: before ? level(event) - level(before) : null };
+    return {
+      event,
+      height: height > rounding ? height : null,
+      drop: before ? event.surrogate - before.surrogate : null,
+    };
   });
-}
-
-/** At predict there is no d yet; E is what the best one would give. */
-function level(event: TraceEvent): number {
-  return event.phase === 'predict' ? event.objective : event.surrogate;
 }
 
 /** The sum that makes E cannot be more exact than its largest term. */
