@@ -10,7 +10,9 @@ function simulate(...args: string[]): { stdout: string; stderr: string; status: 
   return { stdout, stderr, status };
 }
 
-describe('simulate', () => {
+const startsProcesses = { timeout: 60_000 }; // ms: a busy machine starts them slowly
+
+describe('simulate', startsProcesses, () => {
   it('prints one JSON object: what was run, where it ended, what it cost', () => {
     const { stdout, stderr, status } = simulate('scenes/net.json', '--steps', '3', '--iterations', '5', '--dt', '0.02');
     expect([stderr, status]).toEqual(['', 0]);
@@ -77,7 +79,7 @@ describe('simulate', () => {
   });
 });
 
-describe('simulate, given what it cannot run', () => {
+describe('simulate, given what it cannot run', startsProcesses, () => {
   const folder = mkdtempSync(join(tmpdir(), 'simulate-'));
   const files = {
     'syntax.json': '{\n  "obj": "a.obj",\n  "b" [1]\n}',

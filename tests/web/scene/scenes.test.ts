@@ -5,16 +5,8 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { decode } from 'fast-png';
 import { describe, expect, it } from 'vitest';
-import { folderSource } from '../../../web/headless/folder_source.ts';
-import { loadScene } from '../../../web/src/scene/load_scene.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
-import { describeSceneError, isSceneError } from '../../../web/src/scene/scene_error.ts';
-
-async function load(name: string): Promise<Scene> {
-  const scene = await loadScene(`${name}.json`, folderSource('scenes'));
-  if (isSceneError(scene)) throw new Error(describeSceneError(scene));
-  return scene;
-}
+import { openScene } from '../../support/open_scene.ts';
 
 /** #V, m: one coordinate of every vertex. */
 const coordinates = ({ V }: Scene, axis: number) => V.filter((_, entry) => entry % 3 === axis);
@@ -48,13 +40,13 @@ describe.each([
   { name: 'skirt', vertices: 200 * 49, springs: 200 * 49 + 200 * 48 + 200 * 48, pins: 200 },
 ])('$name', ({ name, ...expected }) => {
   it('has the vertices, springs and pins that its rule says', async () => {
-    const scene = await load(name);
+    const scene = await openScene(name);
     const found = { vertices: scene.m.length, springs: springs(scene).length, pins: scene.pinned.length };
     expect(found).toEqual(expected);
   });
 
   it('hangs together, no vertex on another, centred about the vertical axis', async () => {
-    const scene = await load(name);
+    const scene = await openScene(name);
     const points = Array.from(scene.m, (_, i) => scene.V.slice(3 * i, 3 * i + 3).join(' '));
     expect(reachable(scene)).toBe(scene.m.length);
     expect(new Set(points).size).toBe(scene.m.length);
@@ -64,13 +56,13 @@ describe.each([
   });
 
   it('is soft enough for the solver', async () => {
-    expect(stiffnessNumber(await load(name))).toBeLessThan(1e9);
+    expect(stiffnessNumber(await openScene(name))).toBeLessThan(1e9);
   });
 });
 
 describe('single-spring-horizontal', () => {
   it('is one metre long', async () => {
-    const scene = await load('single-spring-horizontal');
+    const scene = await openScene('single-spring-horizontal');
     expect([...scene.V]).toEqual([-0.5, 0, 0, 0.5, 0, 0]);
     expect([...scene.pinned]).toEqual([0]);
   });
@@ -78,13 +70,13 @@ describe('single-spring-horizontal', () => {
 
 describe('horizontal-chain', () => {
   it('is pinned at both ends', async () => {
-    expect([...(await load('horizontal-chain')).pinned]).toEqual([0, 9]);
+    expect([...(await openScene('horizontal-chain')).pinned]).toEqual([0, 9]);
   });
 });
 
 describe('net', () => {
   it('is pinned at six points of its rim, evenly', async () => {
-    const scene = await load('net');
+    const scene = await openScene('net');
     const angles = Array.from(scene.pinned, (i) => Math.atan2(scene.V[3 * i + 2], scene.V[3 * i]));
     expect(angles.map((angle) => Math.round((angle * 180) / Math.PI + 360) % 360)).toEqual([0, 60, 120, 180, 240, 300]);
   });
@@ -92,7 +84,7 @@ describe('net', () => {
 
 describe('tower', () => {
   it('is pinned where it stands on the ground', async () => {
-    const scene = await load('tower');
+    const scene = await openScene('tower');
     const height = coordinates(scene, 1);
     expect([...scene.pinned]).toEqual([...height.keys()].filter((i) => height[i] === 0));
   });
@@ -103,14 +95,14 @@ describe.each([
   { name: 'skirt', held: 'its waist', axis: 1, end: Math.max },
 ])('$name', ({ name, held, axis, end }) => {
   it(`is pinned along ${held}, and nowhere else`, async () => {
-    const scene = await load(name);
+    const scene = await openScene(name);
     const along = coordinates(scene, axis);
     const edge = end(...along);
     expect([...scene.pinned]).toEqual([...along.keys()].filter((i) => along[i] === edge));
   });
 
   it('has a small picture', async () => {
-    const scene = await load(name);
+    const scene = await openScene(name);
     const picture = fileURLToPath(scene.texture?.url ?? '');
     expect(statSync(picture).size).toBeLessThan(60_000); // bytes
     expect(decode(readFileSync(picture)).channels).toBe(3);
@@ -118,7 +110,7 @@ describe.each([
   });
 
   it('turns the front of every triangle the same way: each inner edge runs once in each direction', async () => {
-    const { F } = await load(name);
+    const { F } = await openScene(name);
     const directed = new Set<string>();
     for (let f = 0; f < F.length; f += 3) {
       for (let c = 0; c < 3; c++) directed.add(`${F[f + c]} ${F[f + ((c + 1) % 3)]}`);
@@ -128,7 +120,7 @@ describe.each([
 });
 
 describe('scenes/generate.ts', () => {
-  it('makes every file beside it, byte for byte', () => {
+  it('makes every file beside it, byte for byte', { timeout: 60_000 }, () => {
     const folder = mkdtempSync(join(tmpdir(), 'scenes-'));
     try {
       execFileSync(process.execPath, ['--import', 'tsx', 'scenes/generate.ts', folder]);
