@@ -39,6 +39,7 @@ export class Gestures {
   constructor(element: HTMLElement, handlers: GestureHandlers) {
     this.element = element;
     this.handlers = handlers;
+    element.style.touchAction = 'none'; // or the browser would scroll instead
     const options = { signal: this.stop.signal };
     element.addEventListener('pointerdown', (event) => this.down(event), options);
     element.addEventListener('pointermove', (event) => this.move(event), options);
@@ -112,7 +113,7 @@ export class Gestures {
 
   private wheel(event: WheelEvent): void {
     event.preventDefault();
-    const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? pixelsPerWheelLine : 1);
+    const pixels = event.deltaY * (event.deltaMode === event.DOM_DELTA_LINE ? pixelsPerWheelLine : 1);
     this.handlers.zoom(Math.exp(-zoomPerWheelPixel * pixels));
   }
 }

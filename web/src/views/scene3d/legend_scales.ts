@@ -1,6 +1,6 @@
 import { displacement } from './displacements.ts';
 import { exaggerations, quantile, settle, strainRanges } from './exaggeration.ts';
-import { springLength } from './spring_segments.ts';
+import { springStrain } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
@@ -23,15 +23,16 @@ export class LegendScales {
     const { E, r } = this.model;
     const { torn, ghost, to } = stage;
     const before = this.automatic;
-    const gap = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) / r[e] - 1), 0.7);
-    const strain = quantile(r.length, (e) => Math.abs(springLength(torn, E, e) / r[e] - 1), 0.95);
-    const moved = ghost && quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre;
+    const strainAt = (e: number) => Math.abs(springStrain(torn, E, r, e));
+    const typical = quantile(r.length, strainAt, 0.7);
+    const strong = quantile(r.length, strainAt, 0.95);
+    const moved = ghost ? quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre : 0;
     this.automatic = {
-      localExaggeration: settle(gapShare / gap, before?.localExaggeration, exaggerations),
-      globalExaggeration: moved
+      localExaggeration: settle(gapShare / typical, before?.localExaggeration, exaggerations),
+      globalExaggeration: ghost
         ? settle(arrowPixels / moved, before?.globalExaggeration, exaggerations)
         : (before?.globalExaggeration ?? 1),
-      strainRange: settle(strain, before?.strainRange, strainRanges),
+      strainRange: settle(strong, before?.strainRange, strainRanges),
     };
 
     const { exaggeration, strainRange } = options;

@@ -3,7 +3,7 @@ import type { Ink } from './ink.ts';
 import { Overlay } from './overlay.ts';
 import type { Palette } from './palette.ts';
 import { Segments } from './segments.ts';
-import { pieceSegments, springLength, springSegments } from './spring_segments.ts';
+import { pieceSegments, springSegments, springStrain } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import { StrainColourTable } from './strain_colour.ts';
 import type { Strokes } from './strokes.ts';
@@ -49,8 +49,7 @@ export class LocalView {
 
     const colours = new StrainColourTable(palette.strain);
     for (let e = 0; e < r.length; e++) {
-      const strain = springLength(stage.torn, E, e) / r[e] - 1;
-      colours.write(strain, legend.strainRange, this.segments.colours, 4 * e);
+      colours.write(springStrain(stage.torn, E, r, e), legend.strainRange, this.segments.colours, 4 * e);
     }
     this.segments.commitColours();
   }

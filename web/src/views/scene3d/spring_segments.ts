@@ -39,7 +39,7 @@ export function pieceSegments(
     const y = p[i + 1] - p[j + 1];
     const z = p[i + 2] - p[j + 2];
     const l = Math.sqrt(x * x + y * y + z * z);
-    const along = (tear * pieceLength(l, r[e], exaggeration)) / (2 * r[e]);
+    const along = r[e] > 0 ? (tear * pieceLength(l, r[e], exaggeration)) / (2 * r[e]) : 0;
     const kept = (1 - tear) / 2;
     const hx = kept * x + along * d[3 * e];
     const hy = kept * y + along * d[3 * e + 1];
@@ -56,9 +56,10 @@ export function pieceSegments(
   }
 }
 
-/** Length in metres of spring e. */
-export function springLength(p: Float64Array, E: Int32Array, e: number): number {
+/** (l − r)/r of spring e, dimensionless: infinite when only its rest length is zero. */
+export function springStrain(p: Float64Array, E: Int32Array, r: Float64Array, e: number): number {
   const i = 3 * E[2 * e];
   const j = 3 * E[2 * e + 1];
-  return Math.hypot(p[i] - p[j], p[i + 1] - p[j + 1], p[i + 2] - p[j + 2]);
+  const l = Math.sqrt((p[i] - p[j]) ** 2 + (p[i + 1] - p[j + 1]) ** 2 + (p[i + 2] - p[j + 2]) ** 2);
+  return l === r[e] ? 0 : l / r[e] - 1;
 }

@@ -1,0 +1,131 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { type DrawnView, Interaction } from '../../../../web/src/views/scene3d/interaction.ts';
+import { OrbitCamera } from '../../../../web/src/views/scene3d/orbit_camera.ts';
+import { projectPoints, worldToClip } from '../../../../web/src/views/scene3d/projection.ts';
+import type { Scene3DCallbacks } from '../../../../web/src/views/scene3d/types.ts';
+import { FakeCanvas } from './fake_canvas.ts';
+
+/** A chain 0–1–2 of two springs, the first vertex pinned, in a view that fills the canvas. */
+const points = Float64Array.of(-0.4, 0, 0, 0, 0, 0, 0.4, 0, 0);
+const rectangle = { x: 0, y: 0, width: 400, height: 300 };
+const view: DrawnView = {
+  name: 'global',
+  rectangle,
+  points,
+  ends: Float32Array.of(-0.4, 0, 0, 0, 0, 0, 0, 0, 0, 0.4, 0, 0),
+  frame: {
+    phase: 'accept',
+    p: points,
+    pBefore: points,
+    d: null,
+    prediction: points,
+    pinned: Int32Array.of(0),
+    targets: points.slice(0, 3),
+  },
+  springPixels: 60,
+};
+
+let canvas: FakeCanvas;
+let orbitCamera: OrbitCamera;
+let interaction: Interaction;
+const callbacks = {
+  onInvalidate: vi.fn<Scene3DCallbacks['onInvalidate']>(),
+  onSelect: vi.fn<Scene3DCallbacks['onSelect']>(),
+  onPinToggle: vi.fn<Scene3DCallbacks['onPinToggle']>(),
+  onDragStart: vi.fn<Scene3DCallbacks['onDragStart']>(),
+  onDrag: vi.fn<Scene3DCallbacks['onDrag']>(),
+  onDragEnd: vi.fn<Scene3DCallbacks['onDragEnd']>(),
+  onHover: vi.fn<Scene3DCallbacks['onHover']>(),
+  onCameraChange: vi.fn<Scene3DCallbacks['onCameraChange']>(),
+  onLegend: vi.fn<Scene3DCallbacks['onLegend']>(),
+  onContextLost: vi.fn<Scene3DCallbacks['onContextLost']>(),
+};
+
+beforeEach(() => {
+  vi.resetAllMocks();
+  canvas = new FakeCanvas();
+  orbitCamera = new OrbitCamera();
+  interaction = new Interaction(canvas.asCanvas(), orbitCamera, () => view, callbacks);
+});
+
+/** Where a point of space appears. */
+function placeOf(x: number, y: number, z: number): [number, number] {
+  orbitCamera.setAspect(rectangle.width / rectangle.height);
+  const [screenX, screenY] = projectPoints(Float64Array.of(x, y, z), worldToClip(orbitCamera.camera), rectangle);
+  return [screenX, screenY];
+}
+
+describe('pick', () => {
+  it('finds a vertex, a spring, or nothing', () => {
+    expect(interaction.pick(...placeOf(0, 0, 0), 'mouse')).toEqual({ view: 'global', kind: 'vertex', index: 1 });
+    expect(interaction.pick(...placeOf(0.2, 0, 0), 'mouse')).toEqual({ view: 'global', kind: 'spring', index: 1 });
+    expect(interaction.pick(...placeOf(0, 0.5, 0), 'mouse')).toBeNull();
+  });
+
+  it('finds pins from farther away than other vertices', () => {
+    const beside = ([x, y]: [number, number]): [number, number] => [x, y + 11];
+    expect(interaction.pick(...beside(placeOf(-0.4, 0, 0)), 'mouse')?.index).toBe(0);
+    expect(interaction.pick(...beside(placeOf(0.4, 0, 0)), 'mouse')).toBeNull();
+  });
+});
+
+describe('a drag', () => {
+  it('begins when the pin moves, carries it by as much as the pointer, and ends', () => {
+    const [x, y] = placeOf(-0.4, 0, 0);
+    canvas.send('pointerdown', x + 5, y);
+    expect(callbacks.onDragStart).not.toHaveBeenCalled();
+    canvas.send('pointermove', x + 35, y + 20);
+    expect(callbacks.onDragStart).toHaveBeenCalledExactlyOnceWith(0);
+    const [vertex, target] = callbacks.onDrag.mock.calls[0];
+    expect(vertex).toBe(0);
+    // The pointer held the pin 5 pixels aside of its centre and still does. Screen places are single precision.
+    const [targetX, targetY] = placeOf(target[0], target[1], target[2]);
+    expect(targetX).toBeCloseTo(x + 30, 3);
+    expect(targetY).toBeCloseTo(y + 20, 3);
+    canvas.send('pointerup', x + 35, y + 20);
+    expect(callbacks.onDragEnd).toHaveBeenCalledExactlyOnceWith(0);
+    expect(callbacks.onCameraChange).not.toHaveBeenCalled();
+  });
+
+  it('never starts on a vertex that is not pinned: that orbits', () => {
+    const [x, y] = placeOf(0.4, 0, 0);
+    canvas.send('pointerdown', x, y);
+    canvas.send('pointermove', x + 35, y);
+    expect(callbacks.onDragStart).not.toHaveBeenCalled();
+    expect(callbacks.onCameraChange).toHaveBeenCalledOnce();
+  });
+});
+
+describe('a tap', () => {
+  const tap = ([x, y]: [number, number], shiftKey = false) => {
+    canvas.send('pointerdown', x, y, { shiftKey });
+    canvas.send('pointerup', x, y, { shiftKey });
+  };
+
+  it('selects, pins included, and on nothing clears the selection', () => {
+    tap(placeOf(-0.4, 0, 0));
+    expect(callbacks.onSelect).toHaveBeenLastCalledWith({ view: 'global', kind: 'vertex', index: 0 });
+    expect(callbacks.onDragEnd).not.toHaveBeenCalled();
+    tap(placeOf(0, 0.5, 0));
+    expect(callbacks.onSelect).toHaveBeenLastCalledWith(null);
+  });
+
+  it('with shift pins or unpins a vertex, and selects nothing', () => {
+    tap(placeOf(0.4, 0, 0), true);
+    tap(placeOf(0.2, 0, 0), true);
+    expect(callbacks.onPinToggle).toHaveBeenCalledExactlyOnceWith(2);
+    expect(callbacks.onSelect).not.toHaveBeenCalled();
+  });
+});
+
+describe('hovering', () => {
+  it('tells once of each thing the pointer rests on', () => {
+    const [x, y] = placeOf(0, 0, 0);
+    canvas.send('pointermove', x, y);
+    canvas.send('pointermove', x + 1, y);
+    expect(callbacks.onHover).toHaveBeenCalledExactlyOnceWith(interaction.hovered, x, y);
+    canvas.send('pointermove', ...placeOf(0, 0.5, 0));
+    expect(callbacks.onHover).toHaveBeenCalledTimes(2);
+    expect(interaction.hovered).toBeNull();
+  });
+});
