@@ -9,6 +9,7 @@ import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
 import { startSolver } from './app/start_solver.ts';
 import { defaultState, state } from './app/state.ts';
+import { cameraKey } from './labs/springs/camera_keys.ts';
 import { SpringsLab } from './labs/springs/springs_lab.tsx';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
@@ -78,7 +79,7 @@ function listen(actions: Actions): void {
     if (typing || pressing || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === '?') helpOpen.value = !helpOpen.value;
     else if (event.key === 'Escape') helpOpen.value = false;
-    else if (!shortcut(event.key, actions)) return;
+    else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
     event.preventDefault();
   });
   addEventListener('dragover', (event) => event.preventDefault());

@@ -62,7 +62,10 @@ describe('the link', () => {
   });
 
   it('keeps the good parts of a link with a bad one, and names the bad one', () => {
-    const { state, problems } = decodeLink('#/springs?scene="flag"&parameters={%22k%22:-5}&language="zh"', defaultState);
+    const { state, problems } = decodeLink(
+      '#/springs?scene="flag"&parameters={%22k%22:-5}&language="zh"',
+      defaultState,
+    );
     expect(state).toEqual({ ...defaultState, scene: 'flag', language: 'zh' });
     expect(problems).toEqual([{ part: 'parameters', value: '{"k":-5}' }]);
   });

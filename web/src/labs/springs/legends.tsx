@@ -36,12 +36,13 @@ export function LocalLegend({ phase }: { phase: Phase }) {
 
 /** What the pale net and the arrows of the global view mean. */
 export function GlobalLegend({ phase }: { phase: Phase }) {
+  const { pin } = appliedTheme.value === 'dark' ? darkPalette : lightPalette;
   const { globalExaggeration } = legend.value;
   return (
     <>
       <p class="legend legend-strain">
         <span>
-          <b class="legend-pin">■</b> {t('page.legend.pins')}
+          <b style={{ color: pin }}>◆</b> {t('page.legend.pins')}
         </span>
         <span>{t('page.legend.ghost')}</span>
       </p>

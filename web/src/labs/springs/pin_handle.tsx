@@ -1,9 +1,9 @@
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, pins, scene, state } from '../../app/state.ts';
+import { frame, pins, scene } from '../../app/state.ts';
 import { diagonal, screenAxes } from './geometry.ts';
-import { scene3D } from './stage_signals.ts';
+import { pictures, scene3D } from './stage_signals.ts';
 
 /** One press of an arrow key, as a fraction of the scene's diagonal; ten times as much with Shift. */
 const stride = 0.005;
@@ -19,7 +19,7 @@ const directions: Record<string, [number, number]> = {
 export function PinHandle({ actions }: { actions: Actions }) {
   const [chosen, choose] = useState(0);
   const { pinned, targets } = pins.value;
-  void state.value.view.camera; // where the handle stands depends on it
+  void pictures.value; // the handle stands where the last one drew its pin
   const view = scene3D.value;
   if (pinned.length === 0 || !view || !frame.value) return null;
   const row = Math.min(chosen, pinned.length - 1);

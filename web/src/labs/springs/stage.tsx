@@ -9,7 +9,7 @@ import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
 import { HalfStepAnimation } from './half_step_animation.ts';
-import { legend, scene3D } from './stage_signals.ts';
+import { legend, pictures, scene3D } from './stage_signals.ts';
 
 /** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */
 export function Stage({ actions }: { actions: Actions }) {
@@ -21,6 +21,7 @@ export function Stage({ actions }: { actions: Actions }) {
     const draw = () => {
       drawing = 0;
       view.render();
+      pictures.value++;
       document.body.dataset.ready = 'true';
     };
     const view = new Scene3D(element, {

@@ -1,6 +1,5 @@
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { librarySceneNames, openedScenes } from '../../app/scene_library.ts';
 import { parameters, scene, state } from '../../app/state.ts';
 import { ParameterControl } from './parameter_control.tsx';
 import './controls.css';
@@ -13,37 +12,6 @@ export function Controls({ actions }: { actions: Actions }) {
   return (
     <section class="controls" aria-labelledby="controls-heading">
       <h2 id="controls-heading">{t('page.controls.heading')}</h2>
-      <div class="controls-scene">
-        <label>
-          {t('page.controls.scene')}{' '}
-          <select value={state.value.scene} onChange={(event) => void actions.openScene(event.currentTarget.value)}>
-            {librarySceneNames.map((name) => (
-              <option key={name} value={name}>
-                {t(`page.scenes.${name}`)}
-              </option>
-            ))}
-            {openedScenes.value.map(({ name }) => (
-              <option key={name} value={name}>
-                {name}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label class="button" title={t('page.controls.openFilesHint')}>
-          {t('page.controls.openFiles')}
-          <input
-            type="file"
-            class="visually-hidden"
-            multiple
-            accept=".json,.obj,.png"
-            onChange={(event) => {
-              void actions.openFiles([...(event.currentTarget.files ?? [])]);
-              event.currentTarget.value = ''; // or the same file could not be chosen twice
-            }}
-          />
-        </label>
-      </div>
-
       <ParameterControl name="k" letter="k" symbol="k" unit="N/m" actions={actions} />
       <ParameterControl name="delta_t" letter="Δt" symbol="delta_t" unit="s" actions={actions} />
       <ParameterControl name="mass_scale" letter="m" symbol="m" unit="×" actions={actions} />

@@ -1,6 +1,7 @@
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { state } from '../../app/state.ts';
+import { SceneMenu } from './scene_menu.tsx';
 import './header.css';
 
 const themes = ['system', 'light', 'dark'] as const;
@@ -28,7 +29,7 @@ export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => vo
         </svg>
         {t('page.title')}
       </h1>
-      <p class="tagline">{t('page.tagline')}</p>
+      <SceneMenu actions={actions} />
       <div class="tools">
         <label class="theme">
           <span class="visually-hidden">{t('page.header.theme.label')}</span>

@@ -11,6 +11,8 @@ const keys: [string, MessageKey][] = [
   ['L', 'page.keys.springs'],
   ['W', 'page.keys.wind'],
   ['R', 'page.keys.reset'],
+  ['Shift ← → ↑ ↓', 'page.keys.turn'],
+  ['+  −  0', 'page.keys.zoom'],
   ['?', 'page.keys.help'],
   ['← → ↑ ↓', 'page.keys.pinArrows'],
   ['PgUp PgDn', 'page.keys.pinPages'],

@@ -1,13 +1,12 @@
 export const page = {
   title: 'Mass–Spring Lab',
-  tagline: 'Fast simulation of mass-spring systems, one half-step at a time',
   skip: 'Skip to the transport',
   loading: 'Loading the solver…',
   units: { seconds: 's' },
   header: {
     otherLanguage: '中文',
     otherLanguageLabel: '切换到简体中文',
-    theme: { label: 'Theme', system: 'As the system', light: 'Light', dark: 'Dark' },
+    theme: { label: 'Theme', system: 'Theme: system', light: 'Theme: light', dark: 'Theme: dark' },
     projector: 'Projector',
     projectorHint: 'Bigger type; everything secondary folded away',
     link: 'Copy link',
@@ -56,7 +55,7 @@ export const page = {
   story: {
     playing: 'Every picture is one time step: {{iterations}} rounds of local and global. Pause to walk through them.',
     predict:
-      'Predict. Inertia and forces are written into y, once for the whole time step. The iterate starts at the old positions: p ← pᵗ.',
+      'Predict. Inertia and forces are written into y, once for the whole time step. The iterate starts at the old positions.',
     local:
       'Local. p stands still. Each spring on its own, knowing nothing of its neighbours, takes its rest length along its present direction: d.',
     global:
@@ -78,7 +77,7 @@ export const page = {
     none: 'No vertex is pinned. Select a vertex and press “Pin this vertex”.',
   },
   stage: {
-    label: 'The two views of the simulation. Drag to turn, pinch or wheel to zoom, drag a pin to move it.',
+    label: 'The two views of the simulation. Drag to turn, pinch to zoom, drag a pin to move it.',
   },
   controls: {
     heading: 'Parameters',
@@ -142,6 +141,8 @@ export const page = {
     springs: 'show or hide the springs',
     wind: 'wind on or off',
     reset: 'reset to rest',
+    turn: 'turn the view',
+    zoom: 'closer, farther, show everything',
     help: 'this list',
     pinArrows: 'on a focused pin: move it (with Shift ten times as far)',
     pinPages: 'on a focused pin: previous, next pin',
@@ -149,7 +150,7 @@ export const page = {
     drag: 'drag a square pin: move it',
     click: 'click a spring or vertex: see its numbers in both equations',
     shiftClick: 'Shift-click a vertex: pin or free it',
-    orbit: 'drag elsewhere: turn · wheel or pinch: zoom',
+    orbit: 'drag elsewhere: turn · pinch, or wheel with Ctrl: zoom',
   },
   update: { ready: 'A new version is ready.', apply: 'Load it' },
   notice: { dismiss: 'Dismiss' },
@@ -168,9 +169,6 @@ export const page = {
     linkPart: 'The link’s part {{part}} = {{value}} could not be used; the default took its place.',
     linkTooLong: 'The link is {{length}} characters long and was not read; at most {{most}} are.',
     sceneUnknown: 'There is no scene “{{name}}”. The one before stays.',
-    sceneFetch: '{{file}} could not be loaded: {{reason}}. The scene before stays.',
-    sceneFileMissing:
-      '{{file}} names {{missing}}, which is not among the files opened. Choose them together. The scene before stays.',
     sceneNoJson: 'None of the files opened is a scene: a .json file is needed, together with the .obj it names.',
     scene: '{{sentence}} The scene before stays.',
     no_scene: 'No scene is open yet.',

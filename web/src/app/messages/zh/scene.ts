@@ -19,18 +19,18 @@ export const scene: SceneMessages = {
   too_small: '{{value}} 小于 {{minimum}}',
   too_large: '{{value}} 大于 {{maximum}}',
 
-  too_few_numbers: '需要 {{minimum}} 个数，只有 {{value}} 个',
-  too_few_vertices: '需要 {{minimum}} 个顶点，只有 {{value}} 个',
+  too_few_numbers: '应有 {{minimum}} 个数，只有 {{value}} 个',
+  too_few_vertices: '连接的顶点少于 {{minimum}} 个',
   not_an_index: '{{value}} 不是顶点编号',
   vertex_out_of_range: '没有顶点 {{value}}，共 {{count}} 个',
   texture_vertex_out_of_range: '没有纹理顶点 {{value}}，共 {{count}} 个',
   self_spring: '顶点 {{value}} 与自身相连',
-  too_many_vertices: '顶点超过 {{maximum}} 个',
+  too_many_vertices: '{{value}} 个顶点超过了上限 {{maximum}}',
   too_many_springs: '弹簧超过 {{maximum}} 根',
   no_vertices: '没有顶点',
   no_springs: '没有弹簧',
 
   duplicate_pin: '顶点 {{value}} 被固定了两次',
-  no_mass: '缺少此字段，而顶点 {{value}} 不属于任何三角形，无从得到质量',
+  no_mass: '缺少此字段，而顶点 {{value}} 不属于任何三角形，无法由面积得到质量',
   no_texture_coordinates: '{{value}} 的某些角缺少纹理坐标',
 };
