@@ -19,13 +19,18 @@ const debianModules = '/usr/share/nodejs';
 const nodePath = [process.env.NODE_PATH, existsSync(debianModules) ? debianModules : undefined].filter(Boolean);
 const env = { ...process.env, NODE_PATH: nodePath.join(':') };
 
-/** @param {string[]} command */
-function run([program, ...args]) {
-  const { status, stdout, stderr, error } = spawnSync(program, args, { env, encoding: 'utf8' });
+/**
+ * @param {string[]} command
+ * @param {import('node:child_process').StdioOptions} output
+ */
+function run([program, ...args], output) {
+  const { status, stdout, stderr, error } = spawnSync(program, args, { env, stdio: output, encoding: 'utf8' });
   if (status === 0) return;
-  console.error(error ? `${program}: ${error.message}` : `${stdout}${stderr}`);
+  console.error(error ? `${program}: ${error.message}` : `${stdout ?? ''}${stderr ?? ''}`);
   process.exit(1);
 }
 
-if (!existsSync(join(build, 'build.ninja'))) run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja']);
-run(['ninja', '-C', build]);
+if (!existsSync(join(build, 'build.ninja')))
+  run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja'], 'pipe');
+// Quiet about itself; what the compilers say is shown.
+run(['ninja', '--quiet', '-C', build], 'inherit');

@@ -4,21 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "bounding_box_diagonal.h"
-#include "fast_mass_springs_precomputation_dense.h"
-#include "fast_mass_springs_precomputation_sparse.h"
-#include "fast_mass_springs_step_dense.h"
-#include "fast_mass_springs_step_sparse.h"
-#include "global_step.h"
 #include "gradient.h"
-#include "gravity.h"
-#include "inertial_right_hand_side.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
-#include "selection_matrix.h"
 #include "stiffness_numbers.h"
 #include "system_matrix.h"
-#include "system_product.h"
 #include "triplets_from_matrix.h"
 #include "validate_iterate.h"
 #include "validate_masses.h"
@@ -27,12 +17,11 @@
 #include "validate_points.h"
 #include "validate_springs.h"
 #include "validate_system.h"
-#include "wind.h"
 
 namespace mass_spring {
 namespace {
 
-const Status no_scene = {StatusCode::no_scene};
+const Status no_scene = {StatusCode::no_scene, "", -1, 0};
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 Points as_points(const std::vector<double>& rows) {
@@ -43,28 +32,6 @@ Indices as_indices(const std::vector<int>& values) {
   return Eigen::Map<const Indices>(values.data(), values.size());
 }
 
-Points rows_of(const Points& V, const Indices& rows) {
-  Points selected(rows.size(), 3);
-  for (int c = 0; c < rows.size(); ++c) selected.row(c) = V.row(rows(c));
-  return selected;
-}
-
-bool same_set(Indices a, Indices b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a.size() == b.size() && a == b;
-}
-
-/// Which change between these parameters makes the factor of Q useless; empty when none does.
-std::string reason_to_factorise(const Parameters& before, const Parameters& after) {
-  if (before.storage != after.storage) return "storage";
-  if (before.k != after.k) return "k";
-  if (before.delta_t != after.delta_t) return "delta_t";
-  if (before.mass_scale != after.mass_scale) return "mass";
-  if (before.w != after.w) return "w";
-  return "";
-}
-
 }  // namespace
 
 Status Simulation::set_scene(const std::vector<double>& V, const std::vector<int>& E,
@@ -72,7 +39,7 @@ Status Simulation::set_scene(const std::vector<double>& V, const std::vector<int
                              const Parameters& parameters) {
   const int n = static_cast<int>(V.size() / 3);
   for (const Status& status :
-       {validate_points("V", V, n), n > 0 ? Status{} : Status{StatusCode::no_vertices, "V"},
+       {validate_points("V", V, n), n > 0 ? Status{} : Status{StatusCode::no_vertices, "V", -1, 0},
         validate_springs(E, n), validate_masses(m, n), validate_pinned(pinned, n),
         validate_parameters(parameters)}) {
     if (!status.ok()) return status;
@@ -83,8 +50,7 @@ Status Simulation::set_scene(const std::vector<double>& V, const std::vector<int
   next.parameters = parameters;
   next.time_step.E = Eigen::Map<const Edges>(E.data(), E.size() / 2, 2);
   next.time_step.pinned = as_indices(pinned);
-  next.time_step.targets = rows_of(next.V, next.time_step.pinned);
-  next.time_step.p_curr = next.time_step.p_prev = next.V;
+  next.reset();
   const Status status = replace(std::move(next), "scene", [this] { return seek(0); });
   if (status.ok()) history_.clear();
   return status;
@@ -96,7 +62,7 @@ Status Simulation::set_parameters(const Parameters& parameters) {
   if (!status.ok()) return status;
   State next = state_;
   next.parameters = parameters;
-  return replace_in_place(std::move(next), reason_to_factorise(state_.parameters, parameters));
+  return replace_in_place(std::move(next));
 }
 
 Status Simulation::set_pins(const std::vector<int>& pinned, const std::vector<double>& targets) {
@@ -109,16 +75,13 @@ Status Simulation::set_pins(const std::vector<int>& pinned, const std::vector<do
   State next = state_;
   next.time_step.pinned = as_indices(pinned);
   next.time_step.targets = as_points(targets);
-  const bool same = same_set(next.time_step.pinned, state_.time_step.pinned);
-  return replace_in_place(std::move(next), same ? "" : "pins");
+  return replace_in_place(std::move(next));
 }
 
 Status Simulation::reset() {
   if (!has_scene()) return no_scene;
   State next = state_;
-  next.step_number = 1;
-  next.time_step.targets = rows_of(state_.V, state_.time_step.pinned);
-  next.time_step.p_curr = next.time_step.p_prev = state_.V;
+  next.reset();
   const Status status = replace(std::move(next), "", [this] { return seek(0); });
   if (status.ok()) history_.clear();
   return status;
@@ -132,8 +95,9 @@ Status Simulation::set_state(int step_number, const std::vector<double>& p_curr,
        {validate_points("p_curr", p_curr, n), validate_points("p_prev", p_prev, n)}) {
     if (!status.ok()) return status;
   }
-  if (step_number < 1)
+  if (step_number < 1) {
     return {StatusCode::not_positive, "step", -1, static_cast<double>(step_number)};
+  }
   State next = state_;
   next.step_number = step_number;
   next.time_step.p_curr = as_points(p_curr);
@@ -176,9 +140,7 @@ Status Simulation::seek(int half_step) {
   }
   Cursor cursor = trace_.start_for(half_step, state_.time_step);
   while (true) {
-    if (cursor.half_step == trace_.recorded()) {
-      trace_.append(state_.time_step, cursor, residual(cursor), state_.parameters.iterations);
-    }
+    if (cursor.half_step == trace_.recorded()) record(cursor);
     if (cursor.half_step == half_step) break;
     next_half_step(cursor);
     const Status status = validate_iterate(cursor.iterate.p);
@@ -193,7 +155,7 @@ Status Simulation::seek(int half_step) {
 /// @param reason  why Q must be factorised anew, or empty
 template <typename Settle>
 Status Simulation::replace(State next, const std::string& reason, Settle settle) {
-  complete(next);
+  next.derive();
   Status status = validate_system(next.time_step, next.parameters.storage);
   if (!status.ok()) return status;
   std::swap(state_, next);
@@ -210,7 +172,8 @@ Status Simulation::replace(State next, const std::string& reason, Settle settle)
 
 /// Leaves the cursor where it is. Inside a time step it is traced anew up to there; at accept the
 /// accepted positions stay.
-Status Simulation::replace_in_place(State next, const std::string& reason) {
+Status Simulation::replace_in_place(State next) {
+  const std::string reason = reason_to_factorise(state_, next);
   if (at_accept()) {
     return replace(std::move(next), reason, [this] {
       cursor_.half_step = last_half_step();
@@ -234,72 +197,30 @@ Status Simulation::advance(Settle settle) {
   return status;
 }
 
-void Simulation::complete(State& state) {
-  TimeStep& step = state.time_step;
-  step.k = state.parameters.k;
-  step.delta_t = state.parameters.delta_t;
-  step.w = state.parameters.w;
-  step.m = state.parameters.mass_scale * state.scene_m;
-  gravity(step.m, state.parameters.gravity, step.f_ext);
-  if (state.parameters.wind) {
-    wind(step.m, bounding_box_diagonal(state.V), state.step_number * step.delta_t, step.p_curr,
-         step.f_ext);
-  }
-}
-
-/// Brings what is derived from state_ up to date.
+/// Brings system and right-hand side up to date with state_.
 Status Simulation::prepare(const std::string& reason) {
-  if (!has_scene()) return {};
-  if (!reason.empty()) {
+  if (!has_scene()) return {};  // there was none before the one that failed
+  TimeStep& step = state_.time_step;
+  if (reason.empty()) {
+    system_.reorder_pins(step);  // the same set may be listed in another order
+  } else {
+    if (reason == "scene" || reason == "storage") system_.clear(state_.parameters.storage);
     ++factorisation_count_;
     factorisation_reason_ = reason;
-    // Another scene or storage: first give back the memory of the last one, of which there may not
-    // be twice as much.
-    if (reason == "scene" || reason == "storage") {
-      if (state_.parameters.storage == Storage::dense) {
-        precomputation_.emplace<DensePrecomputation>();
-      } else {
-        precomputation_.emplace<SparsePrecomputation>();
-      }
+    if (!system_.precompute(state_.V, step, step.r)) {
+      return {StatusCode::factorisation_failed, "Q", -1, nan};
     }
-    if (!precompute()) return {StatusCode::factorisation_failed, "Q", -1, nan};
   }
-  const TimeStep& step = state_.time_step;
-  std::visit(
-      [&](auto& precomputation) {
-        // The same pins may come in another order.
-        matrix_from_triplets(static_cast<int>(step.pinned.size()), static_cast<int>(step.m.size()),
-                             selection_matrix(step.pinned), precomputation.C);
-        inertial_right_hand_side(step, precomputation.M, precomputation.C, workspace_.y);
-      },
-      precomputation_);
+  system_.inertial_right_hand_side(step, workspace_.y);
   return {};
-}
-
-bool Simulation::precompute() {
-  TimeStep& step = state_.time_step;
-  if (state_.parameters.storage == Storage::dense) {
-    return fast_mass_springs_precomputation_dense(state_.V, step.E, step.k, step.m, step.pinned,
-                                                  step.delta_t, step.w, step.r,
-                                                  std::get<DensePrecomputation>(precomputation_));
-  }
-  return fast_mass_springs_precomputation_sparse(state_.V, step.E, step.k, step.m, step.pinned,
-                                                 step.delta_t, step.w, step.r,
-                                                 std::get<SparsePrecomputation>(precomputation_));
 }
 
 /// The whole time step at full speed, nothing recorded.
 Status Simulation::run() {
   Cursor cursor;
   cursor.half_step = last_half_step();
-  const int iterations = state_.parameters.iterations;
-  if (state_.parameters.storage == Storage::dense) {
-    fast_mass_springs_step_dense(state_.time_step, std::get<DensePrecomputation>(precomputation_),
-                                 workspace_, cursor.iterate, iterations);
-  } else {
-    fast_mass_springs_step_sparse(state_.time_step, std::get<SparsePrecomputation>(precomputation_),
-                                  workspace_, cursor.iterate, iterations);
-  }
+  system_.fast_mass_springs_step(state_.time_step, workspace_, cursor.iterate,
+                                 state_.parameters.iterations);
   const Status status = validate_iterate(cursor.iterate.p);
   if (status.ok()) cursor_ = std::move(cursor);
   return status;
@@ -314,24 +235,15 @@ void Simulation::next_half_step(Cursor& cursor) {
     local_step(step.E, step.r, iterate.p, iterate.d);
   } else {
     iterate.p.swap(iterate.p_before);
-    std::visit(
-        [&](const auto& precomputation) {
-          global_step(precomputation, step.k, iterate.d, workspace_, iterate.p);
-        },
-        precomputation_);
+    system_.global_step(step.k, iterate.d, workspace_, iterate.p);
   }
 }
 
-/// max |Qp - b|, N, of the global step that was just done; zero elsewhere.
-double Simulation::residual(const Cursor& cursor) const {
-  if (cursor.half_step == 0 || cursor.half_step % 2 == 1) return 0;
-  Points Qp;  // #V by 3, N
-  std::visit(
-      [&](const auto& precomputation) {
-        system_product(state_.time_step, precomputation, cursor.iterate.p, Qp);
-      },
-      precomputation_);
-  return (Qp - workspace_.b).cwiseAbs().maxCoeff();
+void Simulation::record(const Cursor& cursor) {
+  const bool solved = cursor.half_step > 0 && cursor.half_step % 2 == 0;
+  const double residual =
+      solved ? system_.residual(state_.time_step, cursor.iterate.p, workspace_.b) : 0;
+  trace_.append(state_.time_step, cursor, residual, state_.parameters.iterations);
 }
 
 VertexProbe Simulation::probe_vertex(int i) const {
@@ -339,47 +251,27 @@ VertexProbe Simulation::probe_vertex(int i) const {
     const Eigen::RowVector3d nowhere = Eigen::RowVector3d::Constant(nan);
     return {nowhere, nowhere, nowhere, nowhere};
   }
-  return std::visit(
-      [&](const auto& precomputation) {
-        return vertex_probe(state_.time_step, precomputation, cursor_.iterate, workspace_.y, i);
-      },
-      precomputation_);
+  return system_.probe(state_.time_step, cursor_.iterate, workspace_.y, i);
 }
 
 Objective Simulation::objective_at(const std::vector<double>& p) const {
-  if (!has_scene() || p.size() != static_cast<std::size_t>(state_.V.size()))
+  if (!has_scene() || p.size() != static_cast<std::size_t>(state_.V.size())) {
     return {nan, nan, nan, nan, nan};
+  }
   return objective(state_.time_step, as_points(p));
 }
 
 Points Simulation::gradient_at(const std::vector<double>& p) const {
   Points g(0, 3);  // #V by 3, N
-  if (p.size() == static_cast<std::size_t>(state_.V.size()))
+  if (p.size() == static_cast<std::size_t>(state_.V.size())) {
     gradient(state_.time_step, as_points(p), g);
+  }
   return g;
 }
 
 double Simulation::stiffness_number() const {
   const TimeStep& step = state_.time_step;
   return has_scene() ? stiffness_numbers(step.E, step.k, step.m, step.delta_t).maxCoeff() : 0;
-}
-
-Triplets Simulation::A() const {
-  return std::visit(
-      [](const auto& precomputation) { return triplets_from_matrix(precomputation.A); },
-      precomputation_);
-}
-
-Triplets Simulation::M() const {
-  return std::visit(
-      [](const auto& precomputation) { return triplets_from_matrix(precomputation.M); },
-      precomputation_);
-}
-
-Triplets Simulation::C() const {
-  return std::visit(
-      [](const auto& precomputation) { return triplets_from_matrix(precomputation.C); },
-      precomputation_);
 }
 
 Triplets Simulation::Q() const {

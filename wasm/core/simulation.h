@@ -1,17 +1,16 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "history.h"
 #include "objective.h"
 #include "parameters.h"
-#include "precomputation.h"
+#include "state.h"
 #include "status.h"
+#include "system.h"
 #include "time_step.h"
 #include "trace.h"
-#include "vertex_probe.h"
 
 namespace mass_spring {
 
@@ -57,37 +56,26 @@ class Simulation {
   int factorisation_count() const { return factorisation_count_; }
   const std::string& factorisation_reason() const { return factorisation_reason_; }
 
-  Triplets A() const;
-  Triplets M() const;
-  Triplets C() const;
+  Triplets A() const { return system_.A(); }
+  Triplets M() const { return system_.M(); }
+  Triplets C() const { return system_.C(); }
   Triplets Q() const;
 
  private:
-  /// All that the trace of the current time step is a function of.
-  struct State {
-    Points V;        // #V by 3, m: rest positions
-    Vector scene_m;  // #V, kg: before mass_scale
-    Parameters parameters;
-    int step_number = 1;
-    TimeStep time_step;  // m, k, Δt, w and f_ext follow from the rest: see complete()
-  };
-  static void complete(State& state);
-
   bool has_scene() const { return state_.V.rows() > 0; }
   bool at_accept() const { return has_scene() && cursor_.half_step == last_half_step(); }
   template <typename Settle>
   Status replace(State next, const std::string& reason, Settle settle);
   template <typename Settle>
   Status advance(Settle settle);
-  Status replace_in_place(State next, const std::string& reason);
+  Status replace_in_place(State next);
   Status prepare(const std::string& reason);
-  bool precompute();
   Status run();
   void next_half_step(Cursor& cursor);
-  double residual(const Cursor& cursor) const;
+  void record(const Cursor& cursor);
 
   State state_;
-  std::variant<SparsePrecomputation, DensePrecomputation> precomputation_;
+  System system_;
   Workspace workspace_;
   Cursor cursor_;
   Trace trace_;  // of state_; empty when nothing of it was traced

@@ -1,0 +1,52 @@
+#include "state.h"
+
+#include <algorithm>
+
+#include "bounding_box_diagonal.h"
+#include "gravity.h"
+#include "wind.h"
+
+namespace mass_spring {
+namespace {
+
+bool same_set(Indices a, Indices b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a.size() == b.size() && a == b;
+}
+
+}  // namespace
+
+void State::reset() {
+  step_number = 1;
+  time_step.p_curr = V;
+  time_step.p_prev = V;
+  time_step.targets.resize(time_step.pinned.size(), 3);
+  for (int c = 0; c < time_step.pinned.size(); ++c) {
+    time_step.targets.row(c) = V.row(time_step.pinned(c));
+  }
+}
+
+void State::derive() {
+  time_step.k = parameters.k;
+  time_step.delta_t = parameters.delta_t;
+  time_step.w = parameters.w;
+  time_step.m = parameters.mass_scale * scene_m;
+  gravity(time_step.m, parameters.gravity, time_step.f_ext);
+  if (parameters.wind) {
+    const double time = step_number * parameters.delta_t;  // s
+    wind(time_step.m, bounding_box_diagonal(V), time, time_step.p_curr, time_step.f_ext);
+  }
+}
+
+std::string reason_to_factorise(const State& before, const State& after) {
+  if (before.parameters.storage != after.parameters.storage) return "storage";
+  if (before.parameters.k != after.parameters.k) return "k";
+  if (before.parameters.delta_t != after.parameters.delta_t) return "delta_t";
+  if (before.parameters.mass_scale != after.parameters.mass_scale) return "mass";
+  if (before.parameters.w != after.parameters.w) return "w";
+  if (!same_set(before.time_step.pinned, after.time_step.pinned)) return "pins";
+  return "";
+}
+
+}  // namespace mass_spring
