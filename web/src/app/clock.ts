@@ -4,8 +4,11 @@ export class Clock {
   private owed_ms = 0;
   private step_ms = 1;
 
-  /** Longest stretch of work per picture, ms: beyond it the simulation runs slower than real time instead of the page. */
-  static readonly budget_ms = 14;
+  /**
+   * Longest stretch of work a picture waits for, ms: beyond it the simulation runs slower than real time. The worker computes while the page draws,
+   * so a page that draws slowly leaves it more time, up to what still looks like motion.
+   */
+  static readonly budget_ms = { least: 14, most: 100 };
 
   /** Steps to run now, at time `now` (ms), for a time step of `delta_t` seconds. 0 when none is due. */
   due(now: number, delta_t: number): number {
@@ -13,7 +16,8 @@ export class Clock {
     this.last = now;
     this.owed_ms += elapsed;
     const period = delta_t * 1000;
-    const affordable = Math.max(1, Math.floor(Clock.budget_ms / this.step_ms));
+    const budget = Math.min(Clock.budget_ms.most, Math.max(Clock.budget_ms.least, elapsed));
+    const affordable = Math.max(1, Math.floor(budget / this.step_ms));
     const steps = Math.min(Math.floor(this.owed_ms / period), affordable);
     if (steps === 0) return 0;
     // Debt that cannot be paid is forgiven, or a slow machine would never catch up.

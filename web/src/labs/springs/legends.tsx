@@ -23,7 +23,9 @@ export function LocalLegend({ phase }: { phase: Phase }) {
         <span class="visually-hidden">
           {t('page.legend.strain')}: {t('page.legend.compressed')} – {t('page.legend.stretched')}
         </span>
-        <span aria-hidden="true">{t('page.legend.strain')}</span>
+        <span class="legend-words" aria-hidden="true">
+          {t('page.legend.strain')}
+        </span>
       </p>
       {phase !== 'predict' && (
         <p class="legend legend-factor">
@@ -44,7 +46,7 @@ export function GlobalLegend({ phase }: { phase: Phase }) {
         <span>
           <b style={{ color: pin }}>◆</b> {t('page.legend.pins')}
         </span>
-        <span>{t('page.legend.ghost')}</span>
+        <span class="legend-words">{t('page.legend.ghost')}</span>
       </p>
       <p class="legend legend-factor">
         {phase === 'predict' && `${t('page.legend.inertial')} · `}

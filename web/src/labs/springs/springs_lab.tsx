@@ -23,25 +23,25 @@ export function SpringsLab({ actions }: { actions: Actions }) {
         <Stage actions={actions} />
         <section class="half half-local" aria-label={t('page.local.name')}>
           <Caption name="page.local.name" tagline="page.local.tagline" />
+          <div class="inspector">
+            <SpringInspector actions={actions} />
+          </div>
           <div class="view" data-view="local" role="img" aria-label={t('page.local.view')}>
             <LocalLegend phase={f.phase} />
           </div>
           <div class="panel">
-            <div class="inspector">
-              <SpringInspector actions={actions} />
-            </div>
             <LocalEquation frame={f} spring={selectedSpring()} />
           </div>
         </section>
         <section class="half half-global" aria-label={t('page.global.name')}>
           <Caption name="page.global.name" tagline="page.global.tagline" />
+          <div class="inspector">
+            <VertexInspector actions={actions} />
+          </div>
           <div class="view" data-view="global" role="img" aria-label={t('page.global.view')}>
             <GlobalLegend phase={f.phase} />
           </div>
           <div class="panel">
-            <div class="inspector">
-              <VertexInspector actions={actions} />
-            </div>
             <GlobalEquation frame={f} />
           </div>
         </section>

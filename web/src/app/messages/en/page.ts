@@ -16,12 +16,12 @@ export const page = {
   },
   local: {
     name: 'Local',
-    tagline: 'every spring alone, at its own rest length',
+    tagline: 'every spring alone, at its rest length',
     view: 'Local view: every spring drawn at its projected length about its own midpoint, the net behind it as a ghost',
   },
   global: {
     name: 'Global',
-    tagline: 'one linear solve stitches all springs together',
+    tagline: 'one solve stitches them all together',
     view: 'Global view: the solved net, the previous iterate behind it as a ghost, arrows for what moved',
   },
   legend: {

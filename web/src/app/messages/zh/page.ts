@@ -21,7 +21,7 @@ export const page = {
   },
   global: {
     name: '全局步',
-    tagline: '解一个线性方程组，把所有弹簧缝合起来',
+    tagline: '一次求解，把弹簧全部缝合',
     view: '全局视图：求解后的网；淡影是上一次迭代的结果，箭头表示各点的移动',
   },
   legend: {
