@@ -21,7 +21,7 @@ export const page = {
   },
   global: {
     name: 'Global',
-    tagline: 'one solve stitches them all together',
+    tagline: 'one solve stitches them all',
     view: 'Global view: the solved net, the previous iterate behind it as a ghost, arrows for what moved',
   },
   legend: {
