@@ -7,13 +7,13 @@ import ts from 'typescript';
 const order = [['lib'], ['notation', 'scene'], ['solver'], ['app'], ['views'], ['labs'], ['main']];
 /** Layers whose folders do not know each other either. */
 const divided = ['views', 'labs'];
-/** The one folder that may import a package. */
-const homes = new Map([
-  ['three', 'views/scene3d'],
-  ['katex', 'views/equations'],
-  ['uplot', 'views/plots'],
-  ['#wasm', 'solver'],
-]);
+/** What may be imported in one folder only. */
+const homes = Object.entries({
+  three: 'views/scene3d',
+  katex: 'views/equations',
+  uplot: 'views/plots',
+  '#wasm/solver.js': 'solver',
+});
 
 /** @param {string} file relative to web/src */
 function place(file) {
@@ -30,7 +30,7 @@ function place(file) {
  * @returns {string | undefined} what is wrong about it
  */
 function violation(importer, specifier) {
-  const home = homes.get(specifier.split('/')[0]);
+  const [, home] = homes.find(([name]) => specifier === name || specifier.startsWith(`${name}/`)) ?? [];
   if (home) return importer.startsWith(`${home}/`) ? undefined : `belongs to ${home} alone`;
   const imported = join(dirname(importer), specifier).split(sep).join('/');
   if (!specifier.startsWith('.') || imported.startsWith('..')) return undefined; // a package, or data outside the sources
