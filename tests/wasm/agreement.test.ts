@@ -9,7 +9,7 @@ import { openScene } from '../support/open_scene.ts';
 const solver = await loadSolver();
 const steps = 3;
 
-/** Agreement means: to 1e-7 of the scene's size, seven digits where a picture shows three. Rounding alone, at the scenes' condition numbers, stays below. */
+/** m: 1e-7 of the diagonal of the bounding box. Leaves room for any order of summation: rounding makes about 1e-13 of it. */
 function tolerance({ V }: Scene): number {
   const extent = [0, 1, 2].map((axis) => {
     const coordinates = V.filter((_, index) => index % 3 === axis);
