@@ -15,4 +15,10 @@ struct Parameters {
   Storage storage = Storage::sparse;
 };
 
+inline bool operator==(const Parameters& a, const Parameters& b) {
+  return a.k == b.k && a.delta_t == b.delta_t && a.w == b.w && a.mass_scale == b.mass_scale &&
+         a.iterations == b.iterations && a.gravity == b.gravity && a.wind == b.wind &&
+         a.storage == b.storage;
+}
+
 }  // namespace mass_spring

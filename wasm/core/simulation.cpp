@@ -173,6 +173,7 @@ Status Simulation::replace(State next, const std::string& reason, Settle settle)
 /// Leaves the cursor where it is. Inside a time step it is traced anew up to there; at accept the
 /// accepted positions stay.
 Status Simulation::replace_in_place(State next) {
+  if (same_settings(state_, next)) return {};  // and the trace so far stays
   const std::string reason = reason_to_factorise(state_, next);
   if (at_accept()) {
     return replace(std::move(next), reason, [this] {

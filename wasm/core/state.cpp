@@ -39,6 +39,13 @@ void State::derive() {
   }
 }
 
+bool same_settings(const State& a, const State& b) {
+  const TimeStep& s = a.time_step;
+  const TimeStep& t = b.time_step;
+  return a.parameters == b.parameters && s.pinned.size() == t.pinned.size() &&
+         s.pinned == t.pinned && s.targets == t.targets;
+}
+
 std::string reason_to_factorise(const State& before, const State& after) {
   if (before.parameters.storage != after.parameters.storage) return "storage";
   if (before.parameters.k != after.parameters.k) return "k";

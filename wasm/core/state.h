@@ -22,6 +22,9 @@ struct State {
   void derive();
 };
 
+/// Whether two states of a scene at the same positions have the same trace.
+bool same_settings(const State& a, const State& b);
+
 /// Which change between two states of a scene asks for a new factor of Q; empty when none does.
 std::string reason_to_factorise(const State& before, const State& after);
 

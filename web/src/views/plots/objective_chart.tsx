@@ -1,6 +1,7 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
 import { appliedTheme } from '../../app/preferences.ts';
+import { asRanges } from '../../lib/as_ranges.ts';
 import { formatQuantity } from '../../lib/format.ts';
 import type { Frame } from '../../solver/frame.ts';
 import { ObjectivePlot, type ObjectivePlotCallbacks, type ObjectivePlotState } from './objective_plot.ts';
@@ -74,7 +75,7 @@ function Trace({ frame, stale, onSeek }: Props & { stale: boolean }) {
         aria-label={t('plots.label', { step, count: events.length, highest })}
       />
       <p class="objective-axis">{t('plots.halfStep')}</p>
-      {atLowest.length > 0 && <p class="objective-note">{t('plots.atLowest', { list: atLowest.join(', ') })}</p>}
+      {atLowest.length > 0 && <p class="objective-note">{t('plots.atLowest', { list: asRanges(atLowest) })}</p>}
       {stale ? <p class="objective-note">{t('plots.stale', { step })}</p> : shown && <TraceReadout point={shown} />}
       <TraceTable step={step} events={events} cursorHalfStep={cursorHalfStep} onSeek={onSeek} />
     </>
