@@ -1,7 +1,7 @@
 // `node wasm/build.mjs web` builds build/web/solver.js and solver.wasm; `node wasm/build.mjs native` builds the core's
 // own tests in build/native. Silent when nothing is to be done.
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 const source = import.meta.dirname;
@@ -19,18 +19,46 @@ const debianModules = '/usr/share/nodejs';
 const nodePath = [process.env.NODE_PATH, existsSync(debianModules) ? debianModules : undefined].filter(Boolean);
 const env = { ...process.env, NODE_PATH: nodePath.join(':') };
 
-/**
- * @param {string[]} command
- * @param {import('node:child_process').StdioOptions} output
- */
-function run([program, ...args], output) {
-  const { status, stdout, stderr, error } = spawnSync(program, args, { env, stdio: output, encoding: 'utf8' });
-  if (status === 0) return;
-  console.error(error ? `${program}: ${error.message}` : `${stdout ?? ''}${stderr ?? ''}`);
-  process.exit(1);
+/** @param {string[]} command */
+function run([program, ...args]) {
+  const { status, stdout, stderr, error } = spawnSync(program, args, { env, encoding: 'utf8' });
+  if (status !== 0) {
+    console.error(error ? `${program}: ${error.message}` : `${stdout}${stderr}`);
+    process.exit(1);
+  }
+  return stdout;
 }
 
-if (!existsSync(join(build, 'build.ninja')))
-  run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja'], 'pipe');
-// Quiet about itself; what the compilers say is shown.
-run(['ninja', '--quiet', '-C', build], 'inherit');
+/**
+ * One build at a time: two that link at once leave a solver.js that does not fit its solver.wasm.
+ *
+ * @param {string} lock a file with the process number of who builds
+ */
+function takeTurn(lock) {
+  const isFree = () => {
+    try {
+      process.kill(Number(readFileSync(lock, 'utf8')), 0); // only asks whether it runs
+      return false;
+    } catch {
+      return true;
+    }
+  };
+  for (;;) {
+    try {
+      writeFileSync(lock, `${process.pid}`, { flag: 'wx' });
+      break;
+    } catch {
+      if (isFree()) rmSync(lock, { force: true });
+      else Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 100); // ms
+    }
+  }
+  process.on('exit', () => rmSync(lock, { force: true }));
+}
+
+mkdirSync(build, { recursive: true });
+takeTurn(join(build, 'lock'));
+if (!existsSync(join(build, 'build.ninja'))) run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja']);
+const lines = run(['ninja', '--quiet', '-C', build]).split('\n');
+// What remains are the compilers' warnings.
+const warnings = lines.filter((line) => line && !line.startsWith('ninja: ') && !line.startsWith('-- '));
+if (warnings.length > 0) console.error(warnings.join('\n'));

@@ -1,0 +1,112 @@
+import { expect, test } from 'vitest';
+import { type Simulation, statusCodes, traceColumns } from '../../web/src/solver/module.ts';
+import { openScene } from '../support/open_scene.ts';
+import { expectOk, openSimulation, solver } from '../support/open_simulation.ts';
+import { chain, net, usualParameters } from '../support/small_scenes.ts';
+
+const { V, E, m, pinned } = chain(3);
+const status = {
+  code: expect.any(String),
+  field: expect.any(String),
+  index: expect.any(Number),
+  value: expect.any(Number),
+};
+const triplets = {
+  rows: expect.any(Number),
+  columns: expect.any(Number),
+  i: expect.any(Int32Array),
+  j: expect.any(Int32Array),
+  value: expect.any(Float64Array),
+};
+const vector = [expect.any(Number), expect.any(Number), expect.any(Number)];
+const number = expect.any(Number);
+const doubles = expect.any(Float64Array);
+
+/** Every call of the hand-written interface, by the compiler's word, with what the real module returns. */
+const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Name]>, result: unknown] } = {
+  set_scene: [[V, E, m, pinned, usualParameters], status],
+  set_parameters: [[usualParameters], status],
+  set_pins: [[pinned, new Float64Array(3)], status],
+  reset: [[], status],
+  set_state: [[1, V, V, 0], status],
+  step: [[], status],
+  seek: [[2], status],
+  next_step: [[], status],
+  previous_step: [[], expect.any(Boolean)],
+  remembered_steps: [[], number],
+  step_number: [[], number],
+  half_step: [[], number],
+  last_half_step: [[], number],
+  vertex_count: [[], 3],
+  spring_count: [[], 2],
+  p: [[], doubles],
+  p_before: [[], doubles],
+  p_curr: [[], doubles],
+  p_prev: [[], doubles],
+  inertial_prediction: [[], doubles],
+  d: [[], doubles],
+  r: [[], Float64Array.of(0.5, 0.5)],
+  m: [[], Float64Array.of(1, 1, 1)],
+  targets: [[], Float64Array.of(0, 0, 0)],
+  trace: [[], doubles],
+  probe_vertex: [[1], { y: vector, kAtd: vector, b: vector, Qp: vector }],
+  stiffness_number: [[], number],
+  factorisation_count: [[], number],
+  factorisation_reason: [[], 'scene'],
+  A: [[], triplets],
+  M: [[], triplets],
+  C: [[], triplets],
+  Q: [[], triplets],
+  y: [[], doubles],
+  objective_at: [[V], { objective: number, potential: number, inertia: number, external: number, pin: number }],
+  gradient_at: [[V], doubles],
+  delete: [[], undefined],
+};
+
+test('the module has exactly the calls of the interface, and they return what it says', () => {
+  const simulation = new solver.Simulation();
+  const { delete: _, ...registered } = calls; // embind gives every class its delete
+  expect(Object.keys(solver.Simulation.prototype).sort()).toEqual(Object.keys(registered).sort());
+  for (const [name, [inputs, result]] of Object.entries(calls)) {
+    const call = simulation[name as keyof Simulation] as (...inputs: unknown[]) => unknown;
+    expect(call.apply(simulation, inputs), name).toEqual(result);
+  }
+});
+
+test('the names of the status codes', () => {
+  expect(solver.status_codes()).toEqual([...statusCodes]);
+});
+
+test('the columns of the trace', () => {
+  expect(openSimulation(chain(3), usualParameters).trace()).toHaveLength(traceColumns.length);
+});
+
+test('each entry of a matrix occurs once', () => {
+  const { i, j, rows } = openSimulation(net(3), usualParameters).Q();
+  expect(new Set(i.map((row, t) => row * rows + j[t])).size).toBe(i.length);
+});
+
+test('two simulations do not know of each other', () => {
+  const [one, other] = [chain(3), net(3)].map((scene) => openSimulation(scene, usualParameters));
+  expectOk(one.step());
+  expect([one.step_number(), one.half_step()]).toEqual([1, 21]);
+  expect([other.step_number(), other.half_step()]).toEqual([1, 0]);
+  expect(other.p()).toEqual(net(3).V);
+});
+
+test('a dense flag fits into the memory; views that it moved are empty, views taken anew are right', async () => {
+  const flag = await openScene('flag');
+  const parameters = { ...usualParameters, iterations: 1 };
+  const small = openSimulation(chain(3), parameters);
+  const view = small.p();
+  const simulation = openSimulation(flag, { ...parameters, storage: 'dense' });
+  expect(view).toHaveLength(0);
+  expect(small.p()).toEqual(chain(3).V);
+  expectOk(simulation.seek(3));
+  // Another scene, another storage and back again: the memory is given back each time.
+  expectOk(simulation.set_parameters(parameters));
+  expectOk(simulation.set_scene(flag.V, flag.E, flag.m, flag.pinned, { ...parameters, storage: 'dense' }));
+  expectOk(simulation.set_scene(V, E, m, pinned, { ...parameters, storage: 'dense' }));
+  expectOk(simulation.set_scene(flag.V, flag.E, flag.m, flag.pinned, { ...parameters, storage: 'dense' }));
+  expectOk(simulation.step());
+}, 60_000);

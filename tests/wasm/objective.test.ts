@@ -1,0 +1,105 @@
+import fc from 'fast-check';
+import { expect, test } from 'vitest';
+import { distance, expectOk, openMoving, openSimulation } from '../support/open_simulation.ts';
+import { chain, movingScenes, net, usualParameters } from '../support/small_scenes.ts';
+import { type TraceRow, traceRows } from '../support/trace_rows.ts';
+
+/** Rounding may raise E by 1e-12 of the size of its terms at the start of the time step. */
+const slack = (start: TraceRow) =>
+  1e-12 * [start.potential, start.inertia, start.external, start.pin].reduce((sum, term) => sum + Math.abs(term), 0);
+
+test('no half-step raises the objective or the surrogate, and the surrogate never lies below', () => {
+  fc.assert(
+    fc.property(movingScenes, (scene) => {
+      const simulation = openMoving(scene);
+      expectOk(simulation.seek(simulation.last_half_step()));
+      const rows = traceRows(simulation);
+      expect(rows.map((row) => row.half_step)).toEqual(rows.map((_, half_step) => half_step));
+      rows.forEach((row, half_step) => {
+        expect(row.surrogate).toBeGreaterThanOrEqual(row.objective - slack(rows[0]));
+        if (half_step === 0) return;
+        expect(row.objective).toBeLessThanOrEqual(rows[half_step - 1].objective + slack(rows[0]));
+        expect(row.surrogate).toBeLessThanOrEqual(rows[half_step - 1].surrogate + slack(rows[0]));
+        const isLocal = half_step % 2 === 1 && half_step < simulation.last_half_step();
+        if (isLocal) expect(Math.abs(row.surrogate - row.objective)).toBeLessThanOrEqual(slack(rows[0]));
+      });
+    }),
+    { seed: 4, numRuns: 200 },
+  );
+});
+
+test('the columns of the trace are what they are called', () => {
+  const simulation = openSimulation(net(3), usualParameters);
+  expectOk(simulation.step());
+  expectOk(simulation.next_step());
+  expectOk(simulation.seek(simulation.last_half_step()));
+  const rows = traceRows(simulation);
+  for (const row of rows) {
+    expectOk(simulation.seek(row.half_step));
+    const { objective, potential, inertia, external, pin } = simulation.objective_at(simulation.p().slice());
+    expect(row).toMatchObject({ objective, potential, inertia, external, pin });
+    const [p, before] = [simulation.p(), simulation.p_before()];
+    const moved = Array.from({ length: 9 }, (_, i) => {
+      const step = [0, 1, 2].map((axis) => p[3 * i + axis] - before[3 * i + axis]);
+      return Math.hypot(...step);
+    });
+    expect(row.change).toBeCloseTo(Math.max(...moved), 15);
+    const isGlobal = row.half_step > 0 && row.half_step % 2 === 0;
+    // Q's largest entry is w, so rounding p in the 16th digit leaves a residual near 1e10·1e-16.
+    if (isGlobal) expect(row.residual).toBeLessThan(1e-5);
+    else expect(row.residual).toBe(0);
+  }
+});
+
+test('the gradient agrees with central differences', () => {
+  const simulation = openSimulation(net(4), { ...usualParameters, w: 1e4, wind: true });
+  expectOk(simulation.step());
+  expectOk(simulation.next_step());
+  // Away from every minimum, by a fixed irregular pattern.
+  const p = simulation.p().map((coordinate, c) => coordinate + 0.05 * Math.sin(7 * c * c));
+  const gradient = simulation.gradient_at(p).slice();
+  const h = 1e-5; // m
+  const differences = p.map((coordinate, c) => {
+    const [above, below] = [coordinate + h, coordinate - h].map(
+      (moved) => simulation.objective_at(p.with(c, moved)).objective,
+    );
+    return (above - below) / (2 * h);
+  });
+  // E is about 1e4 J: rounded to 1e-12 J, divided by 2h. The third derivative adds k h²/l², about 1e-5 N.
+  expect(distance(differences, gradient)).toBeLessThan(1e-4);
+  expect(Math.max(...gradient.map(Math.abs))).toBeGreaterThan(10);
+});
+
+test('the gradient vanishes where inertia and gravity alone carry a free vertex', () => {
+  const falling = { ...chain(1), E: new Int32Array(), pinned: new Int32Array() };
+  const simulation = openSimulation(falling, usualParameters);
+  expectOk(simulation.set_state(1, Float64Array.of(1, 2, 3), Float64Array.of(1, 2, 2), 0));
+  // m/Δt² = 900 N/m times a rounding of 1e-16 m.
+  expect(distance(simulation.gradient_at(simulation.inertial_prediction().slice()), [0, 0, 0])).toBeLessThan(1e-11);
+});
+
+test('Q p − b is the gradient at the p that d was projected from', () => {
+  const simulation = openSimulation(net(3), { ...usualParameters, w: 1e4 });
+  expectOk(simulation.step());
+  expectOk(simulation.next_step());
+  expectOk(simulation.seek(3));
+  const gradient = simulation.gradient_at(simulation.p().slice()).slice();
+  for (let i = 0; i < 9; i++) {
+    const { y, kAtd, b, Qp } = simulation.probe_vertex(i);
+    expect(b).toEqual(kAtd.map((part, axis) => part + y[axis]));
+    // Numbers up to 1e4, rounded.
+    expect(
+      distance(
+        Qp.map((left, axis) => left - b[axis]),
+        gradient.subarray(3 * i, 3 * i + 3),
+      ),
+    ).toBeLessThan(1e-10);
+  }
+});
+
+test('what is asked at a p of another length, or of a vertex that is not there, has no number for an answer', () => {
+  const simulation = openSimulation(chain(2), usualParameters);
+  expect(simulation.objective_at(new Float64Array(3)).objective).toBeNaN();
+  expect(simulation.gradient_at(new Float64Array(3))).toHaveLength(0);
+  expect(simulation.probe_vertex(2).b).toEqual([Number.NaN, Number.NaN, Number.NaN]);
+});
