@@ -168,6 +168,16 @@ test('at accept, such a change leaves the accepted positions; the next time step
   expect(simulation.p()).not.toEqual(accepted.p);
 });
 
+test('the same settings once more keep the trace', () => {
+  const simulation = stepped();
+  expectOk(simulation.seek(6));
+  expectOk(simulation.seek(2));
+  const { pinned } = net(4);
+  expectOk(simulation.set_parameters(parameters));
+  expectOk(simulation.set_pins(pinned, simulation.targets().slice()));
+  expect(traceRows(simulation)).toHaveLength(7);
+});
+
 test('fewer iterations than the cursor has behind it put it at accept', () => {
   const simulation = stepped();
   expectOk(simulation.seek(14));

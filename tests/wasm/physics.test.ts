@@ -39,7 +39,7 @@ test('the centre of mass falls freely, whatever the springs and however few the 
   );
 });
 
-test('a pin gives way by its reaction divided by w', () => {
+test('pin drift is the reaction divided by w', () => {
   // Held at the origin, where the drift of about 1e-8 m is not rounded to the digits of a coordinate.
   const scene = chain(5);
   const parameters = { ...usualParameters, w: 1e9, wind: true };
