@@ -19,6 +19,8 @@ function median(values: number[]): number {
   return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 }
 
+const rounded = (value: number) => Number(value.toPrecision(3));
+
 const results = [];
 buildReference();
 const solver = await loadSolver();
@@ -32,16 +34,15 @@ for (const name of scenes) {
     native.push(...runReference('reference_fast', scene, parameters, steps).stepTimes.slice(warmUpSteps));
     wasm.push(...runScene(solver, scene, parameters, steps).stepTimes.slice(warmUpSteps));
   }
-  const result = {
+  results.push({
     scene: name,
     vertices: scene.V.length / 3,
     springs: scene.E.length / 2,
     iterations: parameters.iterations,
-    nativeMilliseconds: median(native),
-    wasmMilliseconds: median(wasm),
-    ratio: median(wasm) / median(native),
-  };
-  results.push(result);
+    nativeMilliseconds: rounded(median(native)),
+    wasmMilliseconds: rounded(median(wasm)),
+    ratio: rounded(median(wasm) / median(native)),
+  });
 }
 
 console.table(results);
