@@ -42,9 +42,9 @@ describe('thinned', () => {
 });
 
 it('arrowSegments go from tails to tips of the chosen vertices', () => {
-  const out = new Float32Array(6);
+  const out = new Float32Array(8);
   arrowSegments(Int32Array.of(1), Float64Array.of(0, 0, 0, 1, 2, 3), Float64Array.of(0, 0, 0, 4, 5, 6), out);
-  expect([...out]).toEqual([1, 2, 3, 4, 5, 6]);
+  expect([...out]).toEqual([1, 2, 3, 0, 4, 5, 6, 0]);
 });
 
 it('interpolatePoints goes straight from one net to the other', () => {

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import {
   pieceLength,
   pieceSegments,
+  segmentStride,
   springSegments,
   springStrain,
 } from '../../../../web/src/views/scene3d/spring_segments.ts';
@@ -25,9 +26,14 @@ function projection(p: Float64Array, r: number): Float64Array {
 }
 
 function piece(p: Float64Array, r: number, exaggeration: number, tear: number): Float32Array {
-  const out = new Float32Array(6);
+  const out = new Float32Array(segmentStride);
   pieceSegments(p, E, Float64Array.of(r), projection(p, r), exaggeration, tear, out);
-  return out;
+  return endsOf(out);
+}
+
+/** Start and end of a row of segments, without what lies beside them. */
+function endsOf(row: Float32Array): Float32Array {
+  return Float32Array.of(...row.subarray(0, 3), ...row.subarray(4, 7));
 }
 
 describe('pieceSegments', () => {
@@ -70,7 +76,7 @@ describe('pieceLength', () => {
   });
 
   it('never turns a piece inside out, nor lets it cross the view', () => {
-    expect(pieceLength(1, 0.5, 1000)).toBe(0.05);
+    expect(pieceLength(1, 0.5, 1000)).toBe(0.2);
     expect(pieceLength(1, 1.5, 1000)).toBe(2);
   });
 
@@ -83,11 +89,11 @@ describe('pieceLength', () => {
   });
 });
 
-it('springSegments joins each spring’s two vertices, in order', () => {
+it('springSegments joins each spring’s two vertices, in order, and leaves its colour', () => {
   const p = Float64Array.of(0, 0, 0, 1, 2, 3, 4, 5, 6);
-  const out = new Float32Array(12);
+  const out = new Float32Array(2 * segmentStride).fill(9);
   springSegments(p, Int32Array.of(2, 0, 1, 2), out);
-  expect([...out]).toEqual([4, 5, 6, 0, 0, 0, 1, 2, 3, 4, 5, 6]);
+  expect([...out]).toEqual([4, 5, 6, 9, 0, 0, 0, 9, 1, 2, 3, 9, 4, 5, 6, 9]);
 });
 
 it('springStrain: a spring of 3 m at rest at 2 m is stretched by a half; of no length at rest, without end', () => {

@@ -73,11 +73,10 @@ export class GlobalView {
   update(stage: Stage, palette: Palette, exaggeration: number, shown: { springs: boolean; surface: boolean }): void {
     const { E } = this.model;
     interpolatePoints(stage.from, stage.to, stage.move, this.points);
-    springSegments(this.points, E, this.segments.ends);
+    springSegments(this.points, E, this.segments.data);
     this.segments.fill(palette.spring);
-    this.segments.commitEnds();
-    this.vertices.centres.set(this.points);
-    this.vertices.commit();
+    this.segments.commit();
+    this.vertices.moveTo(this.points);
 
     this.ghost.mesh.visible = stage.ghost !== null;
     this.arrows.mesh.visible = stage.ghost !== null;
@@ -85,13 +84,13 @@ export class GlobalView {
       for (let c = 0; c < this.points.length; c++) {
         this.ghostPoints[c] = this.points[c] + stage.reveal * exaggeration * (stage.ghost[c] - stage.to[c]);
       }
-      springSegments(this.ghostPoints, E, this.ghost.ends);
+      springSegments(this.ghostPoints, E, this.ghost.data);
       this.ghost.fill(palette.ghost);
-      this.ghost.commitEnds();
+      this.ghost.commit();
       const [tails, tips] = stage.towardsGhost ? [this.points, this.ghostPoints] : [this.ghostPoints, this.points];
-      arrowSegments(this.arrowVertices, tails, tips, this.arrows.ends);
+      arrowSegments(this.arrowVertices, tails, tips, this.arrows.data);
       this.arrows.fill(palette.arrow);
-      this.arrows.commitEnds();
+      this.arrows.commit();
     }
 
     const cloth = shown.surface ? this.surface : null;

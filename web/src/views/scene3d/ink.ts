@@ -1,11 +1,14 @@
 import {
+  BufferAttribute,
+  BufferGeometry,
   Color,
+  DataTexture,
   DoubleSide,
-  Float32BufferAttribute,
-  InstancedBufferGeometry,
+  FloatType,
   type IUniform,
   LinearSRGBColorSpace,
   Mesh,
+  RGBAFormat,
   ShaderMaterial,
   Vector2,
 } from 'three';
@@ -44,37 +47,74 @@ export function setInkColour(colour: Color, hex: string): void {
 export type Layer = 'beneath' | 'among' | 'above';
 const renderOrders: Record<Layer, number> = { beneath: -1, among: 0, above: 1 };
 
+const texelsPerRow = 1024;
+
 /**
- * Flat shapes of a size in pixels, one quad an instance: `vertexMain` calls `place`, `fragmentMain` calls `paint`.
- * Everything is opaque, smoothed by alpha-to-coverage, so that no sorting is needed.
+ * Flat shapes of a size in pixels, one quad each. The quads have no vertex attributes: they read their shapes from a texture, which every
+ * graphics card (and a software renderer) draws much faster than as many instances of four vertices.
+ * Everything is opaque, smoothed by alpha-to-coverage, so that nothing needs sorting.
  */
-export function createInkMesh(
-  ink: Ink,
-  uniforms: Record<string, IUniform>,
-  vertexMain: string,
-  fragmentMain: string,
-  layer: Layer,
-): Mesh<InstancedBufferGeometry, ShaderMaterial> {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0], 3));
-  geometry.setIndex([0, 1, 2, 2, 1, 3]);
-  const material = new ShaderMaterial({
-    uniforms: { ...ink, ...uniforms },
-    vertexShader: inkVertexShader + vertexMain,
-    fragmentShader: inkFragmentShader + fragmentMain,
-    side: DoubleSide,
-    alphaToCoverage: true,
-    depthTest: layer === 'among',
-    depthWrite: layer === 'among',
-  });
-  const mesh = new Mesh(geometry, material);
-  mesh.frustumCulled = false;
-  mesh.renderOrder = renderOrders[layer];
-  return mesh;
+export class InkQuads {
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  /** capacity×(4·texels). */
+  readonly data: Float32Array;
+  private readonly texture: DataTexture;
+
+  /** `vertexMain` reads `texel(0 … texels − 1)` and calls `place`, `fragmentMain` calls `paint`. */
+  constructor(
+    ink: Ink,
+    layer: Layer,
+    capacity: number,
+    texels: number,
+    uniforms: Record<string, IUniform>,
+    vertexMain: string,
+    fragmentMain: string,
+  ) {
+    const rows = Math.max(1, Math.ceil((capacity * texels) / texelsPerRow));
+    const padded = new Float32Array(4 * texelsPerRow * rows);
+    this.data = padded.subarray(0, 4 * texels * capacity);
+    this.texture = new DataTexture(padded, texelsPerRow, rows, RGBAFormat, FloatType);
+    const geometry = new BufferGeometry();
+    const corners = Uint32Array.from(
+      { length: 6 * capacity },
+      (_, at) => 4 * Math.floor(at / 6) + [0, 1, 2, 2, 1, 3][at % 6],
+    );
+    geometry.setIndex(new BufferAttribute(corners, 1));
+    const material = new ShaderMaterial({
+      uniforms: { ...ink, ...uniforms, shapes: { value: this.texture } },
+      defines: { TEXELS: texels, TEXELS_PER_ROW: texelsPerRow },
+      vertexShader: inkVertexShader + vertexMain,
+      fragmentShader: inkFragmentShader + fragmentMain,
+      side: DoubleSide,
+      alphaToCoverage: true,
+      depthTest: layer === 'among',
+      depthWrite: layer === 'among',
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = renderOrders[layer];
+  }
+
+  /** Draws the first `count` shapes only. */
+  protected setCount(count: number): void {
+    this.mesh.geometry.setDrawRange(0, 6 * count);
+  }
+
+  /** To be called when `data` has changed. */
+  commit(): void {
+    this.texture.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.texture.dispose();
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
 }
 
 /** Quads are placed with w = 1, so that varyings run straight in screen space. */
 const inkVertexShader = /* glsl */ `
+  uniform highp sampler2D shapes;
   uniform vec2 viewport;
   uniform float pixelRatio;
   uniform float fadeFrom;
@@ -83,6 +123,18 @@ const inkVertexShader = /* glsl */ `
   uniform float halo;
   varying float fade;
   varying float haloPush;
+
+  vec4 texel(int index) {
+    int at = gl_VertexID / 4 * TEXELS + index;
+    return texelFetch(shapes, ivec2(at % TEXELS_PER_ROW, at / TEXELS_PER_ROW), 0);
+  }
+
+  /** ±1 along the shape and across it. */
+  vec2 corner() { return 2.0 * vec2(gl_VertexID / 2 % 2, gl_VertexID % 2) - 1.0; }
+
+  float nearPlane() { return projectionMatrix[3][2] / (projectionMatrix[2][2] - 1.0); }
+
+  void hide() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }
 
   vec2 toPixels(vec3 viewPosition) {
     vec4 clip = projectionMatrix * vec4(viewPosition, 1.0);

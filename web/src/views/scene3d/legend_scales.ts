@@ -24,7 +24,7 @@ export class LegendScales {
     const { torn, ghost, to } = stage;
     const before = this.automatic;
     const strainAt = (e: number) => Math.abs(springStrain(torn, E, r, e));
-    const typical = quantile(r.length, strainAt, 0.7);
+    const typical = quantile(r.length, strainAt, 0.8);
     const strong = quantile(r.length, strainAt, 0.95);
     const moved = ghost ? quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre : 0;
     this.automatic = {

@@ -3,7 +3,7 @@ import type { Ink } from './ink.ts';
 import { Overlay } from './overlay.ts';
 import type { Palette } from './palette.ts';
 import { Segments } from './segments.ts';
-import { pieceSegments, springSegments, springStrain } from './spring_segments.ts';
+import { pieceSegments, segmentStride, springSegments, springStrain } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import { StrainColourTable } from './strain_colour.ts';
 import type { Strokes } from './strokes.ts';
@@ -39,19 +39,18 @@ export class LocalView {
   update(d: Scene3DFrame['d'], stage: Stage, palette: Palette, legend: Scene3DLegend): void {
     const { E, r } = this.model;
     this.points = stage.torn;
+    springSegments(stage.torn, E, this.ghost.data);
     this.ghost.fill(palette.ghost);
-    springSegments(stage.torn, E, this.ghost.ends);
-    this.ghost.commitEnds();
+    this.ghost.commit();
 
-    if (d) pieceSegments(stage.torn, E, r, d, legend.localExaggeration, stage.tear, this.segments.ends);
-    else springSegments(stage.torn, E, this.segments.ends);
-    this.segments.commitEnds();
-
+    const { data } = this.segments;
+    if (d) pieceSegments(stage.torn, E, r, d, legend.localExaggeration, stage.tear, data);
+    else springSegments(stage.torn, E, data);
     const colours = new StrainColourTable(palette.strain);
     for (let e = 0; e < r.length; e++) {
-      colours.write(springStrain(stage.torn, E, r, e), legend.strainRange, this.segments.colours, 4 * e);
+      data[segmentStride * e + 3] = colours.colour(springStrain(stage.torn, E, r, e), legend.strainRange);
     }
-    this.segments.commitColours();
+    this.segments.commit();
   }
 
   dispose(): void {

@@ -1,5 +1,5 @@
-import { Color, DynamicDrawUsage, InstancedBufferAttribute } from 'three';
-import { createInkMesh, type Ink, type Layer, setInkColour } from './ink.ts';
+import { Color } from 'three';
+import { type Ink, InkQuads, type Layer, setInkColour } from './ink.ts';
 
 /** Signed distances in device pixels from `point`, of a shape of the given radius. */
 const shapes = {
@@ -8,28 +8,21 @@ const shapes = {
   ring: 'abs(length(point) - radius * pixelRatio) - 1.25 * pixelRatio',
 };
 
-/** Points of a size in pixels. Fill `centres`, then `commit()`. */
-export class Marks {
-  /** capacity×3, metres. */
-  readonly centres: Float32Array;
-  readonly mesh: ReturnType<typeof createInkMesh>;
-
-  private readonly centreAttribute: InstancedBufferAttribute;
-  private readonly uniforms = {
-    radius: { value: 1 },
-    halo: { value: 0 },
-    haloColour: { value: new Color() },
-    colour: { value: new Color() },
-    presence: { value: 1 },
-  };
+/** Points of a size in pixels. */
+export class Marks extends InkQuads {
+  private readonly uniforms;
 
   constructor(ink: Ink, capacity: number, shape: keyof typeof shapes, layer: Layer) {
-    this.centres = new Float32Array(3 * capacity);
-    this.centreAttribute = new InstancedBufferAttribute(this.centres, 3).setUsage(DynamicDrawUsage);
+    const uniforms = {
+      radius: { value: 1 },
+      halo: { value: 0 },
+      haloColour: { value: new Color() },
+      colour: { value: new Color() },
+      presence: { value: 1 },
+    };
     const paintShape = `void main() { paint(${shapes[shape]}, colour); }`;
-    this.mesh = createInkMesh(ink, this.uniforms, vertexMain, fragmentDeclarations + paintShape, layer);
-    this.mesh.geometry.setAttribute('centre', this.centreAttribute);
-    this.mesh.geometry.instanceCount = capacity;
+    super(ink, layer, capacity, 1, uniforms, vertexMain, fragmentDeclarations + paintShape);
+    this.uniforms = uniforms;
   }
 
   /** CSS pixels and "#rrggbb". */
@@ -40,28 +33,24 @@ export class Marks {
     setInkColour(this.uniforms.haloColour.value, style.haloColour);
   }
 
-  commit(): void {
-    this.centreAttribute.needsUpdate = true;
-  }
-
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+  /** Puts them at rows of points (#×3, metres), one at each. */
+  moveTo(points: Float64Array): void {
+    for (let mark = 0; mark < points.length / 3; mark++) {
+      for (let c = 0; c < 3; c++) this.data[4 * mark + c] = points[3 * mark + c];
+    }
+    this.setCount(points.length / 3);
+    this.commit();
   }
 }
 
 const vertexMain = /* glsl */ `
   uniform float radius;
-  attribute vec3 centre;
   varying vec2 point;
 
   void main() {
-    vec3 viewCentre = (modelViewMatrix * vec4(centre, 1.0)).xyz;
-    if (viewCentre.z > -projectionMatrix[3][2] / (projectionMatrix[2][2] - 1.0)) {
-      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-      return;
-    }
-    point = position.xy * ((radius + halo + 2.0) * pixelRatio + 1.0);
+    vec3 viewCentre = (modelViewMatrix * vec4(texel(0).xyz, 1.0)).xyz;
+    if (viewCentre.z > -nearPlane()) { hide(); return; }
+    point = corner() * ((radius + halo + 2.0) * pixelRatio + 1.0);
     place(toPixels(viewCentre) + point, viewCentre, 0.5 * haloDepth);
   }
 `;

@@ -3,6 +3,7 @@ import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
 import type { Palette } from './palette.ts';
 import { type SegmentStyle, Segments } from './segments.ts';
+import { segmentStride } from './spring_segments.ts';
 import type { Strokes } from './strokes.ts';
 import type { Scene3DFrame } from './types.ts';
 
@@ -34,20 +35,21 @@ export class Overlay {
     this.hovered.setStyle(palette, strokes, spring, 1.5);
   }
 
-  /** `ends` #E×6 and `points` #V×3 as drawn in this view; `colours` #E×4: the same in both views, so that one sees it is the same spring. */
+  /**
+   * `segments` #E×8 and `points` #V×3 as drawn in this view; `pieces` #E×8 as in the local view, whose colours a spring keeps in
+   * both, so that one sees it is the same.
+   */
   update(
     frame: Scene3DFrame,
-    ends: Float32Array,
-    colours: Uint8Array,
+    segments: Float32Array,
+    pieces: Float32Array,
     points: Float64Array,
     selected: Highlighted,
     hovered: Highlighted,
   ): void {
-    this.pins.centres.set(frame.targets);
-    this.pins.mesh.geometry.instanceCount = frame.pinned.length;
-    this.pins.commit();
-    this.selected.update(ends, colours, points, selected);
-    this.hovered.update(ends, colours, points, hovered);
+    this.pins.moveTo(frame.targets);
+    this.selected.update(segments, pieces, points, selected);
+    this.hovered.update(segments, pieces, points, hovered);
   }
 
   dispose(): void {
@@ -71,18 +73,16 @@ class Highlight {
     this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: 1, colour: selected, haloColour: background });
   }
 
-  update(ends: Float32Array, colours: Uint8Array, points: Float64Array, { spring, vertex }: Highlighted): void {
+  update(segments: Float32Array, pieces: Float32Array, points: Float64Array, { spring, vertex }: Highlighted): void {
     this.spring.mesh.visible = spring !== null;
     if (spring !== null) {
-      this.spring.ends.set(ends.subarray(6 * spring, 6 * spring + 6));
-      this.spring.colours.set(colours.subarray(4 * spring, 4 * spring + 4));
-      this.spring.commitEnds();
-      this.spring.commitColours();
+      this.spring.data.set(segments.subarray(segmentStride * spring, segmentStride * (spring + 1)));
+      this.spring.data[3] = pieces[segmentStride * spring + 3];
+      this.spring.commit();
     }
     this.ring.mesh.visible = vertex !== null;
     if (vertex !== null) {
-      this.ring.centres.set(points.subarray(3 * vertex, 3 * vertex + 3));
-      this.ring.commit();
+      this.ring.moveTo(points.subarray(3 * vertex, 3 * vertex + 3));
     }
   }
 

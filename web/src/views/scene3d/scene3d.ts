@@ -165,7 +165,7 @@ export class Scene3D {
     if (!rectangle || !this.content) return null;
     const point = this.content.views[name].points.slice(3 * vertex, 3 * vertex + 3);
     this.orbitCamera.setAspect(rectangle.width / rectangle.height);
-    const [x, y] = projectPoints(point, worldToClip(this.orbitCamera.camera), rectangle);
+    const [x, y] = projectPoints(point, 3, worldToClip(this.orbitCamera.camera), rectangle);
     return Number.isNaN(x) ? null : { x, y };
   }
 
@@ -219,6 +219,6 @@ export class Scene3D {
     if (!shown || !drawn) return null;
     const { points, segments } = drawn.content.views[shown.name];
     const springPixels = drawn.content.typicalRestLength * this.pixelsPerMetre();
-    return { ...shown, points, ends: segments.ends, frame: drawn.staged.frame, springPixels };
+    return { ...shown, points, segments: segments.data, frame: drawn.staged.frame, springPixels };
   }
 }

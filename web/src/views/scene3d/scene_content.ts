@@ -52,7 +52,7 @@ export class SceneContent {
     };
     for (const view of [local, global]) {
       view.setStyle(palette, strokes);
-      view.overlay.update(frame, view.segments.ends, local.segments.colours, view.points, selected, pointedAt);
+      view.overlay.update(frame, view.segments.data, local.segments.data, view.points, selected, pointedAt);
     }
     global.lightFrom(eye);
     return legend;

@@ -1,12 +1,7 @@
-import {
-  Color,
-  DynamicDrawUsage,
-  InstancedBufferAttribute,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
-} from 'three';
-import { parseColour } from './colour.ts';
-import { createInkMesh, type Ink, type Layer, setInkColour } from './ink.ts';
+import { Color } from 'three';
+import { packColour, parseColour } from './colour.ts';
+import { type Ink, InkQuads, type Layer, setInkColour } from './ink.ts';
+import { segmentStride } from './spring_segments.ts';
 
 /** Lengths in CSS pixels; what is not given is not there. */
 export interface SegmentStyle {
@@ -23,36 +18,22 @@ export interface SegmentStyle {
   presence?: number;
 }
 
-/** Line segments of a width in pixels with round ends, dots or arrow heads. Fill `ends` and `colours`, then `commit()`. */
-export class Segments {
-  /** capacity×6, metres: start and end. */
-  readonly ends: Float32Array;
-  /** capacity×4, sRGB bytes; the fourth only aligns. */
-  readonly colours: Uint8Array;
-  readonly mesh: ReturnType<typeof createInkMesh>;
-
-  private readonly endsBuffer: InstancedInterleavedBuffer;
-  private readonly colourAttribute: InstancedBufferAttribute;
-  private readonly uniforms = {
-    width: { value: 1 },
-    dotRadius: { value: 0 },
-    head: { value: 0 },
-    swing: { value: 0 },
-    presence: { value: 1 },
-    halo: { value: 0 },
-    haloColour: { value: new Color() },
-  };
+/** Line segments of a width in pixels with round ends, dots or arrow heads. */
+export class Segments extends InkQuads {
+  private readonly uniforms;
 
   constructor(ink: Ink, capacity: number, layer: Layer) {
-    this.ends = new Float32Array(6 * capacity);
-    this.colours = new Uint8Array(4 * capacity);
-    this.endsBuffer = new InstancedInterleavedBuffer(this.ends, 6).setUsage(DynamicDrawUsage);
-    this.colourAttribute = new InstancedBufferAttribute(this.colours, 4, true).setUsage(DynamicDrawUsage);
-    this.mesh = createInkMesh(ink, this.uniforms, vertexMain, fragmentMain, layer);
-    this.mesh.geometry.setAttribute('start', new InterleavedBufferAttribute(this.endsBuffer, 3, 0));
-    this.mesh.geometry.setAttribute('end', new InterleavedBufferAttribute(this.endsBuffer, 3, 3));
-    this.mesh.geometry.setAttribute('colour', this.colourAttribute);
-    this.mesh.geometry.instanceCount = capacity;
+    const uniforms = {
+      width: { value: 1 },
+      dotRadius: { value: 0 },
+      head: { value: 0 },
+      swing: { value: 0 },
+      presence: { value: 1 },
+      halo: { value: 0 },
+      haloColour: { value: new Color() },
+    };
+    super(ink, layer, capacity, segmentStride / 4, uniforms, vertexMain, fragmentMain);
+    this.uniforms = uniforms;
   }
 
   setStyle({ width, dot = 0, head = 0, swing = 0, halo = 0, haloColour, presence = 1 }: SegmentStyle): void {
@@ -67,26 +48,8 @@ export class Segments {
 
   /** One colour for all of them. */
   fill(hex: string): void {
-    const [red, green, blue] = parseColour(hex);
-    for (let c = 0; c < this.colours.length; c += 4) {
-      this.colours[c] = red;
-      this.colours[c + 1] = green;
-      this.colours[c + 2] = blue;
-    }
-    this.colourAttribute.needsUpdate = true;
-  }
-
-  commitEnds(): void {
-    this.endsBuffer.needsUpdate = true;
-  }
-
-  commitColours(): void {
-    this.colourAttribute.needsUpdate = true;
-  }
-
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    const colour = packColour(parseColour(hex));
+    for (let at = 3; at < this.data.length; at += segmentStride) this.data[at] = colour;
   }
 }
 
@@ -95,18 +58,16 @@ const vertexMain = /* glsl */ `
   uniform float dotRadius;
   uniform float head;
   uniform float swing;
-  attribute vec3 start;
-  attribute vec3 end;
-  attribute vec3 colour;
   varying vec2 point;
   varying float extent;
   varying vec3 strokeColour;
 
   void main() {
-    vec3 a = (modelViewMatrix * vec4(start, 1.0)).xyz;
-    vec3 b = (modelViewMatrix * vec4(end, 1.0)).xyz;
-    float near = projectionMatrix[3][2] / (projectionMatrix[2][2] - 1.0);
-    if (a.z > -near && b.z > -near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+    vec4 start = texel(0);
+    vec3 a = (modelViewMatrix * vec4(start.xyz, 1.0)).xyz;
+    vec3 b = (modelViewMatrix * vec4(texel(1).xyz, 1.0)).xyz;
+    float near = nearPlane();
+    if (a.z > -near && b.z > -near) { hide(); return; }
     if (a.z > -near) a = mix(b, a, (b.z + near) / (b.z - a.z));
     if (b.z > -near) b = mix(a, b, (a.z + near) / (a.z - b.z));
 
@@ -114,11 +75,12 @@ const vertexMain = /* glsl */ `
     vec2 to = toPixels(b);
     extent = distance(from, to);
     vec2 direction = extent > 0.0 ? (to - from) / extent : vec2(1.0, 0.0);
-    if (head > 0.0 && extent < 2.0 * pixelRatio) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+    if (head > 0.0 && extent < 2.0 * pixelRatio) { hide(); return; }
     float margin = (max(max(0.5 * width + swing, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
-    bool atStart = position.y < 0.0;
-    point = vec2(atStart ? -margin : extent + margin, position.x * margin);
-    strokeColour = colour;
+    bool atStart = corner().x < 0.0;
+    point = vec2(atStart ? -margin : extent + margin, corner().y * margin);
+    int packed = int(start.w);
+    strokeColour = vec3(packed >> 16, packed >> 8 & 255, packed & 255) / 255.0;
     place(from + point.x * direction + point.y * vec2(-direction.y, direction.x), atStart ? a : b, 0.0);
   }
 `;

@@ -1,17 +1,20 @@
-/** Writes the springs themselves, from p_i to p_j, to `out` (#E×6). `p` #V×3, `E` #E×2. */
+/** Numbers in a row of segments: start (metres), packed colour, end (metres), nothing. Rows are made for two texels of four. */
+export const segmentStride = 8;
+
+/** Writes the springs themselves, from p_i to p_j, to rows of `out` (#E×8). `p` #V×3, `E` #E×2. */
 export function springSegments(p: Float64Array, E: Int32Array, out: Float32Array): void {
   for (let e = 0; e < E.length / 2; e++) {
     const i = 3 * E[2 * e];
     const j = 3 * E[2 * e + 1];
     for (let c = 0; c < 3; c++) {
-      out[6 * e + c] = p[i + c];
-      out[6 * e + 3 + c] = p[j + c];
+      out[segmentStride * e + c] = p[i + c];
+      out[segmentStride * e + 4 + c] = p[j + c];
     }
   }
 }
 
 /** How short and how long a piece may be drawn, in lengths of its spring; a true projection (exaggeration 1) is never cut. */
-const shortest = 0.05;
+const shortest = 0.2;
 const longest = 2;
 
 /** Length in metres of the piece drawn for a spring of length l and rest length r. */
@@ -20,7 +23,7 @@ export function pieceLength(l: number, r: number, exaggeration: number): number 
 }
 
 /**
- * Writes each spring torn out of the net to `out` (#E×6): about its own midpoint, along its projection d (#E×3, d_e points from j to i),
+ * Writes each spring torn out of the net to rows of `out` (#E×8): about its own midpoint, along its projection d (#E×3, d_e points from j to i),
  * turned and resized by the fraction `tear` of the way from the whole spring. At tear 0 it is the spring itself.
  */
 export function pieceSegments(
@@ -47,12 +50,12 @@ export function pieceSegments(
     const mx = (p[i] + p[j]) / 2;
     const my = (p[i + 1] + p[j + 1]) / 2;
     const mz = (p[i + 2] + p[j + 2]) / 2;
-    out[6 * e] = mx + hx;
-    out[6 * e + 1] = my + hy;
-    out[6 * e + 2] = mz + hz;
-    out[6 * e + 3] = mx - hx;
-    out[6 * e + 4] = my - hy;
-    out[6 * e + 5] = mz - hz;
+    out[segmentStride * e] = mx + hx;
+    out[segmentStride * e + 1] = my + hy;
+    out[segmentStride * e + 2] = mz + hz;
+    out[segmentStride * e + 4] = mx - hx;
+    out[segmentStride * e + 5] = my - hy;
+    out[segmentStride * e + 6] = mz - hz;
   }
 }
 

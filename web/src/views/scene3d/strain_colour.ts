@@ -1,4 +1,4 @@
-import { mixColours, parseColour, type Rgb } from './colour.ts';
+import { mixColours, packColour, parseColour, type Rgb } from './colour.ts';
 import type { StrainScale } from './palette.ts';
 
 /**
@@ -13,21 +13,17 @@ export function strainColour(strain: number, range: number, scale: StrainScale):
 
 const half = 127;
 
-/** `strainColour` for every spring of a large scene, once a frame. */
+/** `strainColour` of every spring of a large scene, once a frame. */
 export class StrainColourTable {
-  /** (2·half+1)×3, sRGB bytes from strain −range to +range. */
-  private readonly table: Uint8Array;
+  /** 2·half+1 packed colours, from strain −range to +range. */
+  private readonly packed: number[];
 
   constructor(scale: StrainScale) {
-    this.table = new Uint8Array((2 * half + 1) * 3);
-    for (let row = 0; row <= 2 * half; row++) this.table.set(strainColour(row - half, half, scale), row * 3);
+    this.packed = Array.from({ length: 2 * half + 1 }, (_, row) => packColour(strainColour(row - half, half, scale)));
   }
 
-  /** Writes the colour of `strain` as three bytes to `out[at …]`. */
-  write(strain: number, range: number, out: Uint8Array, at: number): void {
-    const row = half + Math.round(half * Math.max(-1, Math.min(1, strain / range)));
-    out[at] = this.table[row * 3];
-    out[at + 1] = this.table[row * 3 + 1];
-    out[at + 2] = this.table[row * 3 + 2];
+  /** The packed colour of a strain, at most half a row off. */
+  colour(strain: number, range: number): number {
+    return this.packed[half + Math.round(half * Math.max(-1, Math.min(1, strain / range)))];
   }
 }
