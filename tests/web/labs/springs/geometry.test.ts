@@ -8,7 +8,7 @@ const coordinate = fc.double({ min: -10, max: 10, noNaN: true });
 describe('screenAxes', () => {
   it('are x and y for a camera that looks along −z', () => {
     const { right, up } = screenAxes({ position: [0, 0, 5], target: [0, 0, 0] });
-    expect(right).toEqual([1, 0, 0]);
+    expect(right.map((x) => x + 0)).toEqual([1, 0, 0]); // −0 is 0
     expect(up.map((x) => x + 0)).toEqual([0, 1, 0]);
   });
 
