@@ -82,3 +82,14 @@ describe('OrbitCamera', () => {
     expect(movedY - y).toBeCloseTo(-40, 3);
   });
 });
+
+it('a scene whose vertices all coincide is seen from a distance, too', () => {
+  const camera = new OrbitCamera();
+  const point = Float64Array.of(1, 2, 3, 1, 2, 3);
+  camera.setScene(point);
+  camera.fit({ points: point, polar: 1 }, 1.5);
+  for (const [x, y] of onScreen(camera, point)) {
+    expect(x).toBeCloseTo(view.width / 2, 3);
+    expect(y).toBeCloseTo(view.height / 2, 3);
+  }
+});

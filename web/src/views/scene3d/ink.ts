@@ -43,9 +43,9 @@ export function setInkColour(colour: Color, hex: string): void {
   colour.setStyle(hex, LinearSRGBColorSpace);
 }
 
-/** Drawn under everything, among everything by depth, or over everything. */
-export type Layer = 'beneath' | 'among' | 'above';
-const renderOrders: Record<Layer, number> = { beneath: -1, among: 0, above: 1 };
+/** Drawn under everything, among everything by depth, over everything, or over that too. */
+export type Layer = 'beneath' | 'among' | 'above' | 'topmost';
+const renderOrders: Record<Layer, number> = { beneath: -1, among: 0, above: 1, topmost: 2 };
 
 const texelsPerRow = 1024;
 
@@ -136,17 +136,20 @@ const inkVertexShader = /* glsl */ `
 
   void hide() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }
 
+  // The camera looks straight ahead, so four numbers of its projection are all.
   vec2 toPixels(vec3 viewPosition) {
-    vec4 clip = projectionMatrix * vec4(viewPosition, 1.0);
-    return clip.xy / clip.w * 0.5 * viewport;
+    vec2 focus = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+    return focus * viewPosition.xy / -viewPosition.z * 0.5 * viewport;
   }
 
+  float toDepth(float viewZ) { return (projectionMatrix[2][2] * viewZ + projectionMatrix[3][2]) / -viewZ; }
+
+  /** Puts a corner at a place of the view, in pixels from its middle, at the depth of a point lifted towards the eye. */
   void place(vec2 pixels, vec3 viewPosition, float lift) {
-    vec4 clip = projectionMatrix * vec4(viewPosition + vec3(0.0, 0.0, lift), 1.0);
-    vec4 pushed = projectionMatrix * vec4(viewPosition - vec3(0.0, 0.0, haloDepth), 1.0);
-    haloPush = 0.5 * (pushed.z / pushed.w - clip.z / clip.w);
+    float depth = toDepth(viewPosition.z + lift);
+    haloPush = 0.5 * (toDepth(viewPosition.z - haloDepth) - depth);
     fade = 0.6 * smoothstep(fadeFrom, fadeTo, -viewPosition.z);
-    gl_Position = vec4(pixels / (0.5 * viewport), clip.z / clip.w, 1.0);
+    gl_Position = vec4(pixels / (0.5 * viewport), depth, 1.0);
   }
 `;
 

@@ -1,10 +1,14 @@
-import { PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { Box3, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import type { Framing } from './framing.ts';
 import type { CameraState } from './types.ts';
 
 /** Degrees, vertically: a long lens, so that springs of one length look alike across the view. */
 const fieldOfView = 32;
 const poleMargin = 0.02;
+/** Metres: for scenes in which all vertices coincide. */
+const leastRadius = 1e-3;
+/** Around what `fit` brings into view. */
+const margin = 1.12;
 /** Radians from the front, where `fit` puts the camera. */
 const frontAzimuth = 0.4;
 
@@ -14,10 +18,22 @@ export class OrbitCamera {
   private readonly target = new Vector3();
   /** phi: from +y down; theta: about y, 0 looks along −z. */
   private readonly offset = new Spherical(3, 1.3, 0.4);
-  /** Metres: about half the size of the scene. */
-  sceneRadius = 1;
+
+  private radius = 1;
 
   constructor() {
+    this.apply();
+  }
+
+  /** Metres: about half the size of the scene. */
+  get sceneRadius(): number {
+    return this.radius;
+  }
+
+  /** V: #V×3, metres. */
+  setScene(V: Float64Array): void {
+    const size = new Box3().setFromArray(V).getSize(new Vector3());
+    this.radius = Math.max(leastRadius, size.length() / 2);
     this.apply();
   }
 
@@ -50,10 +66,7 @@ export class OrbitCamera {
 
   /** Brings the camera nearer by a factor over 1. */
   zoom(factor: number): void {
-    this.offset.radius = Math.max(
-      0.01 * this.sceneRadius,
-      Math.min(20 * this.sceneRadius, this.offset.radius / factor),
-    );
+    this.offset.radius = Math.max(0.01 * this.radius, Math.min(20 * this.radius, this.offset.radius / factor));
     this.apply();
   }
 
@@ -73,10 +86,10 @@ export class OrbitCamera {
     this.apply();
     const [right, up, back] = [0, 1, 2].map((c) => new Vector3().setFromMatrixColumn(this.camera.matrix, c));
     const vertical = Math.tan((fieldOfView * Math.PI) / 360);
-    const horizontal = vertical * aspect;
     const upwards = span(points, up, back, vertical);
-    const sideways = span(points, right, back, horizontal);
-    this.offset.radius = 1.12 * Math.max(upwards.reach / vertical, sideways.reach / horizontal);
+    const sideways = span(points, right, back, vertical * aspect);
+    const reach = Math.max(leastRadius, margin * upwards.reach, (margin * sideways.reach) / aspect);
+    this.offset.radius = reach / vertical;
     this.target.addScaledVector(right, sideways.centre).addScaledVector(up, upwards.centre);
     this.apply();
   }
@@ -84,8 +97,8 @@ export class OrbitCamera {
   private apply(): void {
     this.camera.position.setFromSpherical(this.offset).add(this.target);
     this.camera.lookAt(this.target);
-    this.camera.near = Math.max(this.offset.radius - 4 * this.sceneRadius, 0.01 * this.offset.radius);
-    this.camera.far = this.offset.radius + 8 * this.sceneRadius;
+    this.camera.near = Math.max(this.offset.radius - 4 * this.radius, 0.01 * this.offset.radius);
+    this.camera.far = this.offset.radius + 8 * this.radius;
     this.camera.updateMatrixWorld();
   }
 

@@ -21,7 +21,7 @@ export class Overlay {
   private readonly hovered: Highlight;
 
   constructor(ink: Ink, vertexCount: number) {
-    this.pins = new Marks(ink, vertexCount, 'diamond', 'above');
+    this.pins = new Marks(ink, vertexCount, 'diamond', 'topmost');
     this.hovered = new Highlight(ink);
     this.selected = new Highlight(ink);
     this.group.add(this.hovered.group, this.selected.group, this.pins.mesh);

@@ -1,4 +1,4 @@
-import { Box3, Vector3, WebGLRenderer } from 'three';
+import { Vector2, WebGLRenderer } from 'three';
 import { framingOf } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
 import { type DrawnView, Interaction } from './interaction.ts';
@@ -9,7 +9,6 @@ import { SceneContent } from './scene_content.ts';
 import { type StagedFrame, stageOf } from './stages.ts';
 import {
   type CameraState,
-  type Hit,
   NoWebGLError,
   type Rectangle,
   type Scene3DCallbacks,
@@ -20,6 +19,7 @@ import {
   type ScreenPoint,
   type ViewName,
 } from './types.ts';
+import { Viewports } from './viewports.ts';
 
 /** More device pixels than this in a CSS pixel cost without being seen. */
 const mostPixelRatio = 2;
@@ -38,7 +38,7 @@ export class Scene3D {
   private framed = false;
   private staged: StagedFrame | null = null;
   private legend: Scene3DLegend | null = null;
-  private rectangles: Record<ViewName, Rectangle | null> = { local: null, global: null };
+  private viewports = new Viewports(null, null);
   private options: Scene3DOptions = {
     exaggeration: 'automatic',
     showSprings: true,
@@ -67,7 +67,7 @@ export class Scene3D {
     this.content?.dispose();
     this.content = new SceneContent(this.ink, model, () => this.callbacks.onInvalidate());
     this.interaction.hovered = null;
-    this.orbitCamera.sceneRadius = new Box3().setFromArray(model.V).getSize(new Vector3()).length() / 2;
+    this.orbitCamera.setScene(model.V);
     this.framed = false;
     this.callbacks.onInvalidate();
   }
@@ -88,13 +88,12 @@ export class Scene3D {
 
   /** Where the views lie on the canvas; null hides one. To be called whenever the canvas changes its size, too. */
   setViewports(local: Rectangle | null, global: Rectangle | null): void {
-    this.rectangles = { local, global };
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, mostPixelRatio));
-    this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
+    this.viewports = new Viewports(local, global);
     this.callbacks.onInvalidate();
   }
 
   render(): void {
+    this.followCanvasSize();
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(this.options.palette.background);
     this.renderer.clear();
@@ -108,7 +107,7 @@ export class Scene3D {
     const legend = content.refresh(
       staged,
       this.options,
-      this.pixelsPerMetre(),
+      this.orbitCamera.pixelsPerMetre(this.viewports.height),
       this.interaction.hovered,
       camera.position,
     );
@@ -116,7 +115,7 @@ export class Scene3D {
     this.legend = legend;
 
     this.renderer.setScissorTest(true);
-    for (const { name, rectangle } of this.shownViews()) {
+    for (const { name, rectangle } of this.viewports.shown) {
       const { x, y, width, height } = rectangle;
       const bottom = this.canvas.clientHeight - y - height;
       this.renderer.setViewport(x, bottom, width, height);
@@ -153,19 +152,14 @@ export class Scene3D {
     this.interaction.moveCamera((camera) => camera.zoom(factor));
   }
 
-  /** What lies under a place of the page (client coordinates). */
-  pick(clientX: number, clientY: number, pointerType = 'mouse'): Hit | null {
-    const bounds = this.canvas.getBoundingClientRect();
-    return this.interaction.pick(clientX - bounds.left, clientY - bounds.top, pointerType);
-  }
-
   /** CSS pixels of the canvas at which a view shows a vertex; null when it is behind the camera or the view hidden. */
   projectToScreen(vertex: number, name: ViewName): ScreenPoint | null {
-    const rectangle = this.rectangles[name];
-    if (!rectangle || !this.content) return null;
+    const viewport = this.viewports.named(name);
+    if (!viewport || !this.content) return null;
+    const { width, height } = viewport.rectangle;
     const point = this.content.views[name].points.slice(3 * vertex, 3 * vertex + 3);
-    this.orbitCamera.setAspect(rectangle.width / rectangle.height);
-    const [x, y] = projectPoints(point, 3, worldToClip(this.orbitCamera.camera), rectangle);
+    this.orbitCamera.setAspect(width / height);
+    const [x, y] = projectPoints(point, 3, worldToClip(this.orbitCamera.camera), viewport.rectangle);
     return Number.isNaN(x) ? null : { x, y };
   }
 
@@ -179,25 +173,22 @@ export class Scene3D {
   /** What there is to draw, or null. */
   private drawn(): { content: SceneContent; staged: StagedFrame } | null {
     const { content, staged } = this;
-    if (!content || !staged || this.shownViews().length === 0) return null;
+    if (!content || !staged || this.viewports.shown.length === 0) return null;
     return staged.frame.p.length === content.V.length ? { content, staged } : null;
   }
 
-  private shownViews(): { name: ViewName; rectangle: Rectangle }[] {
-    return (['local', 'global'] as const).flatMap((name) => {
-      const rectangle = this.rectangles[name];
-      return rectangle ? [{ name, rectangle }] : [];
-    });
-  }
-
   private fitCamera({ V }: SceneContent, { frame }: StagedFrame): void {
-    const aspects = this.shownViews().map(({ rectangle }) => rectangle.width / rectangle.height);
-    this.orbitCamera.fit(framingOf(V, frame.pinned), Math.min(...aspects));
+    this.orbitCamera.fit(framingOf(V, frame.pinned), this.viewports.narrowestAspect);
   }
 
-  /** At the camera's target. */
-  private pixelsPerMetre(): number {
-    return this.orbitCamera.pixelsPerMetre(Math.max(1, ...this.shownViews().map(({ rectangle }) => rectangle.height)));
+  /** Just before drawing, or the canvas would be seen empty: changing its size clears it. */
+  private followCanvasSize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    const pixelRatio = Math.min(window.devicePixelRatio, mostPixelRatio);
+    const { x, y } = this.renderer.getSize(new Vector2());
+    if (x === clientWidth && y === clientHeight && pixelRatio === this.renderer.getPixelRatio()) return;
+    this.renderer.setPixelRatio(pixelRatio);
+    this.renderer.setSize(clientWidth, clientHeight, false);
   }
 
   private prepareInk(content: SceneContent, { width, height }: Rectangle): void {
@@ -212,13 +203,12 @@ export class Scene3D {
   }
 
   private viewAt(x: number, y: number): DrawnView | null {
-    const shown = this.shownViews().find(({ rectangle: r }) => {
-      return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
-    });
+    const viewport = this.viewports.at(x, y);
     const drawn = this.drawn();
-    if (!shown || !drawn) return null;
-    const { points, segments } = drawn.content.views[shown.name];
-    const springPixels = drawn.content.typicalRestLength * this.pixelsPerMetre();
-    return { ...shown, points, segments: segments.data, frame: drawn.staged.frame, springPixels };
+    if (!viewport || !drawn) return null;
+    const { content, staged } = drawn;
+    const { points, segments } = content.views[viewport.name];
+    const springPixels = content.typicalRestLength * this.orbitCamera.pixelsPerMetre(this.viewports.height);
+    return { ...viewport, points, segments: segments.data, frame: staged.frame, springPixels };
   }
 }

@@ -35,6 +35,6 @@ export function strokesFor(springPixels: number): Strokes {
     pinHalo: between(0.3, 1.5, 0.05),
     arrow: between(1.2, 2.5, 0.035),
     arrowHead: between(5, 11, 0.15),
-    halo: roomy ? between(0.8, 2, 0.03) : 0,
+    halo: roomy ? between(0.8, 2, 0.022) : 0,
   };
 }
