@@ -36,9 +36,9 @@ describe('OrbitCamera', () => {
     const camera = new OrbitCamera();
     camera.fit({ points: Float64Array.of(-1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0), polar: Math.PI / 2 }, 1.5);
     const ys = onScreen(camera, Float64Array.of(0, -1, 0, 0, 1, 0)).map(([, y]) => y);
-    // The margin is 12 %; perspective enlarges the corner nearest to the camera, which is turned aside, by less than 15 %.
-    expect(ys[0] - ys[1]).toBeGreaterThan(view.height / 1.12 / 1.15);
-    expect(ys[0] - ys[1]).toBeLessThan(view.height / 1.12);
+    // The margin is 18 %; perspective enlarges the corner nearest to the camera, which is turned aside, by less than 15 %.
+    expect(ys[0] - ys[1]).toBeGreaterThan(view.height / 1.18 / 1.15);
+    expect(ys[0] - ys[1]).toBeLessThan(view.height / 1.18);
   });
 
   it('its state comes back', () => {

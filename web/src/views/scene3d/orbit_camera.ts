@@ -8,7 +8,7 @@ const poleMargin = 0.02;
 /** Metres: for scenes in which all vertices coincide. */
 const leastRadius = 1e-3;
 /** Around what `fit` brings into view. */
-const margin = 1.12;
+const margin = 1.18;
 /** Radians from the front, where `fit` puts the camera. */
 const frontAzimuth = 0.4;
 
