@@ -38,8 +38,8 @@ for (const scene of scenes)
 test('opens moving, and the first thing it offers is to pause', async ({ page }) => {
   await open(page);
   await expect(status(page)).toContainText('playing');
-  await button(page, 'Pause and look inside').click();
-  await expect(status(page)).toContainText('accept');
+  await button(page, 'Pause, look inside').click();
+  await expect(status(page)).toContainText('iteration 1 of 50 · local');
 });
 
 test('walks one time step half-step by half-step, and back', async ({ page }) => {
@@ -92,7 +92,7 @@ test('follows the keys of the course’s program', async ({ page }) => {
   await page.keyboard.press('r');
   await expect(status(page)).toContainText('t = 1 · iteration 0 of 50 · predict');
   await page.keyboard.press('?');
-  await expect(page.getByRole('complementary', { name: 'Keys' })).toBeVisible();
+  await expect(page.getByRole('complementary', { name: 'Help and keys' })).toBeVisible();
 });
 
 test('a pin dragged with the mouse takes the net along', async ({ page }) => {

@@ -76,12 +76,29 @@ function listen(actions: Actions): void {
     const typing = target instanceof Element && target.closest('input, select, textarea, summary');
     const pressing =
       target instanceof Element && target.closest('button, a') && (event.key === ' ' || event.key === 'Enter');
-    if (typing || pressing || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (
+      typing ||
+      pressing ||
+      (event.repeat && !event.key.startsWith('Arrow')) ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey
+    )
+      return;
     if (event.key === '?') helpOpen.value = !helpOpen.value;
     else if (event.key === 'Escape') helpOpen.value = false;
     else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
     event.preventDefault();
   });
+  // A control used with the pointer gives the keys back to the page; one reached with the keyboard keeps them.
+  for (const kind of ['click', 'change'])
+    addEventListener(kind, ({ target }) => {
+      const control =
+        target instanceof Element && target.closest('button, select, input[type="checkbox"], input[type="range"]');
+      if (control instanceof HTMLElement && !control.matches(':focus-visible')) {
+        if (kind === 'change' || control.tagName !== 'SELECT') control.blur();
+      }
+    });
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();

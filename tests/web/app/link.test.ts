@@ -76,6 +76,7 @@ describe('the link', () => {
     ['broken percent escapes', '#/springs?scene=%E0%A4%A', 'scene'],
     ['a parameter that does not exist', '#/springs?parameters={"q":1}', 'parameters'],
     ['a scene name that could leave the folder', '#/springs?scene="../x"', 'scene'],
+    ['a page that does not exist', '#/nowhere', '#'],
     ['a version of the future', '#/springs?version=2', 'version'],
     ['a part inherited by every object', '#/springs?toString=1', 'toString'],
   ])('refuses %s', (_, fragment, part) => {

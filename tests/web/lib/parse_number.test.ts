@@ -16,9 +16,17 @@ describe('parseNumber', () => {
     [' 3e2 ', 300],
     ['1 / 4', 0.25],
     ['−2.5', -2.5],
+    ['３００', 300],
+    ['.5', 0.5],
   ])('reads %s', (text, value) => expect(parseNumber(text)).toBe(value));
 
-  it.each(['', ' ', 'abc', '1/0', '1/', '/2', '1/2/3', 'NaN', 'Infinity', '1e999', '1,5'])('refuses “%s”', (text) =>
-    expect(parseNumber(text)).toBeNull(),
+  it.each(['', ' ', 'abc', '1/0', '1/', '/2', '1/2/3', 'NaN', 'Infinity', '1e999', '1,5', '0x10', '5 m'])(
+    'refuses “%s”',
+    (text) => expect(parseNumber(text)).toBeNull(),
   );
+
+  it('reads a number with its unit', () => {
+    expect(parseNumber('300 N/m', 'N/m')).toBe(300);
+    expect(parseNumber('1/30 s', 's')).toBe(1 / 30);
+  });
 });

@@ -3,8 +3,8 @@ import { limits } from './limits.ts';
 import { encodeLink } from './link.ts';
 import type { Language } from './messages/index.ts';
 import { language } from './messages/index.ts';
-import { notify } from './notices.ts';
-import { findScene, openFiles, SceneProblem } from './scene_library.ts';
+import { dismissErrors, notify } from './notices.ts';
+import { findScene, openedScenes, openFiles, SceneProblem } from './scene_library.ts';
 import type { Session } from './session.ts';
 import {
   type Adjustable,
@@ -15,6 +15,7 @@ import {
   pins,
   playing,
   type Selection,
+  scene,
   state,
   type ViewOptions,
 } from './state.ts';
@@ -36,6 +37,10 @@ export class Actions {
   }
   togglePlaying(): void {
     playing.value = !playing.value;
+  }
+  /** Stops at the first local step of the time step just played: where the springs are torn most. */
+  lookInside(): void {
+    this.seek(1);
   }
   nextHalfStep(): void {
     this.pausedAnd({ kind: 'next_half_step' });
@@ -105,8 +110,23 @@ export class Actions {
   }
 
   // What is shown.
-  select(selection: Partial<Selection>): void {
-    this.change({ selection: { ...state.value.selection, ...selection } });
+  /** Selects a spring and with it one of its ends, or a vertex and with it one of its springs, so that both equations speak of the same place. */
+  selectSpring(spring: number): void {
+    const { E } = scene.value;
+    const ends = [E[2 * spring], E[2 * spring + 1]];
+    const { vertex } = state.value.selection;
+    const free = ends.find((end) => !pins.value.pinned.includes(end)) ?? ends[0];
+    this.change({ selection: { spring, vertex: vertex !== null && ends.includes(vertex) ? vertex : free } });
+  }
+  selectVertex(vertex: number): void {
+    const { E } = scene.value;
+    const touches = (e: number) => E[2 * e] === vertex || E[2 * e + 1] === vertex;
+    const { spring } = state.value.selection;
+    if (spring !== null && touches(spring)) this.change({ selection: { spring, vertex } });
+    else {
+      const first = Array.from({ length: E.length / 2 }, (_, e) => e).find(touches);
+      this.change({ selection: { spring: first ?? spring, vertex } });
+    }
   }
   setView(view: Partial<ViewOptions>): void {
     this.change({ view: { ...state.value.view, ...view } });
@@ -122,7 +142,8 @@ export class Actions {
   async copyLink(): Promise<void> {
     try {
       await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(state.value));
-      notify('info', 'page.header.linkCopied');
+      const own = openedScenes.value.some(({ name }) => name === state.value.scene);
+      notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name: state.value.scene });
     } catch {
       notify('info', 'page.header.linkFailed'); // clipboards need a secure page and permission
     }
@@ -130,6 +151,7 @@ export class Actions {
 
   /** Opens a scene from files that the reader chose or dropped. */
   async openFiles(files: readonly File[]): Promise<void> {
+    dismissErrors();
     await this.reporting(async () => {
       await this.openScene((await openFiles(files)).name);
     });
@@ -137,6 +159,7 @@ export class Actions {
 
   /** Opens a scene of the library with the scene's own parameters and pins. */
   async openScene(name: string): Promise<void> {
+    dismissErrors();
     await this.restore({
       ...state.value,
       scene: name,
@@ -153,7 +176,11 @@ export class Actions {
     await this.reporting(async () => {
       const found = await findScene(wanted.scene);
       language.value = wanted.language;
-      opened = await this.session.open(found, { ...wanted, selection: selectionOn(found, wanted.selection) });
+      opened = await this.session.open(found, {
+        ...wanted,
+        pins: pinsOn(found, wanted.pins),
+        selection: selectionOn(found, wanted.selection),
+      });
     });
     return opened;
   }
@@ -176,6 +203,18 @@ function clamped<Name extends keyof Adjustable>(name: Name, value: Adjustable[Na
   if (typeof value === 'boolean' || name === 'wind') return value;
   const { min, max } = limits[name as keyof typeof limits];
   return Math.min(max, Math.max(min, value)) as Adjustable[Name];
+}
+
+/** Pins that make sense on this scene: none of them double, missing or absurdly far; otherwise the scene's own, and a word about it. */
+function pinsOn({ m, V }: Scene, wanted: Pin[] | null): Pin[] | null {
+  if (!wanted) return null;
+  const farthest = 1000 * Math.max(...V.map(Math.abs));
+  const sensible = wanted.every(
+    ({ vertex, target }) => vertex < m.length && (target ?? []).every((x) => Math.abs(x) <= farthest),
+  );
+  if (sensible && new Set(wanted.map(({ vertex }) => vertex)).size === wanted.length) return wanted;
+  notify('error', 'page.errors.linkPart', { part: 'pins', value: JSON.stringify(wanted).slice(0, 60) });
+  return null;
 }
 
 /** What of a selection exists on this scene; where nothing is chosen, a spring that hangs from a pin, which shows the most. */

@@ -25,6 +25,8 @@ export function encodeLink(state: AppState): string {
 export function decodeLink(fragment: string, fallback: AppState): { state: AppState; problems: LinkProblem[] } {
   if (fragment.length > longestLink) return { state: fallback, problems: [{ tooLong: fragment.length }] };
   const problems: LinkProblem[] = [];
+  const asked = fragment.split('?')[0];
+  if (!['', '#', '#/', route].includes(asked)) problems.push({ part: '#', value: readable(asked).slice(0, 60) });
   const state: Record<string, unknown> = { ...fallback };
   const query = fragment.includes('?') ? fragment.slice(fragment.indexOf('?') + 1) : '';
   for (const item of query.split('&').filter(Boolean)) {

@@ -11,13 +11,31 @@ export interface Notice {
 
 export const notices = signal<Notice[]>([]);
 
+/** ms: long enough to be read twice. */
+const lifetime = { info: 6_000, error: 15_000 };
+
 /** More than this on screen at once is noise; the oldest goes. */
 const most = 3;
 let count = 0;
 
 export function notify(kind: Notice['kind'], key: MessageKey, params: Notice['params'] = {}): void {
   const others = notices.value.filter((notice) => notice.key !== key);
-  notices.value = [...others, { id: count++, kind, key, params }].slice(-most);
+  const id = count++;
+  notices.value = [...others, { id, kind, key, params }].slice(-most);
+  setTimeout(() => expire(id), lifetime[kind]);
+}
+
+/** The reader tries something else: what was wrong with the last try is over. */
+export function dismissErrors(): void {
+  notices.value = notices.value.filter(({ kind }) => kind !== 'error');
+}
+
+/** Whether the reader's pointer or focus is on the notices: nothing vanishes while it is being read. */
+export const reading = signal(false);
+
+function expire(id: number): void {
+  if (reading.value) setTimeout(() => expire(id), lifetime.info);
+  else dismiss(id);
 }
 
 export function dismiss(id: number): void {

@@ -3,6 +3,7 @@ import { loadScene } from '../scene/load_scene.ts';
 import type { Scene } from '../scene/scene.ts';
 import { describeSceneError, isSceneError, type SceneError } from '../scene/scene_error.ts';
 import { type MessageKey, sceneMessages } from './messages/index.ts';
+import { notify } from './notices.ts';
 
 /** Addresses of the scenes' files as built, by file name. */
 const urls = Object.fromEntries(
@@ -53,15 +54,19 @@ export async function openFiles(files: readonly File[]): Promise<Scene> {
   const json = files.find((file) => /\.json$/i.test(file.name));
   if (!json) throw new SceneProblem('page.errors.sceneNoJson', {});
   const named = (name: string) => files.find((file) => file.name === name);
+  let missing = '';
   const scene = trusted(
     await loadScene(json.name, {
       read: async (name) => named(name)?.text() ?? null,
       url: (name) => {
         const picture = named(name);
+        if (!picture) missing = name;
         return picture ? URL.createObjectURL(picture) : null;
       },
     }),
   );
+  if (missing) notify('info', 'page.notice.pictureMissing', { missing });
+  if (librarySceneNames.some((name) => name === scene.name)) scene.name += '-file'; // the library's own stays reachable
   openedScenes.value = [...openedScenes.value.filter(({ name }) => name !== scene.name), scene];
   return scene;
 }

@@ -8,7 +8,7 @@ import { isSceneError, type Place, type SceneError } from './scene_error.ts';
 export interface SceneSource {
   /** The text of a file, null when it cannot be read. */
   read(name: string): Promise<string | null>;
-  /** The address at which a picture can be fetched, null when there is no such picture. */
+  /** The address at which a picture can be fetched; null when there is no such picture, and the scene goes without. */
   url(name: string): string | null;
 }
 
@@ -31,6 +31,5 @@ export async function loadScene(file: string, source: SceneSource): Promise<Scen
   if (isSceneError(obj)) return obj;
 
   const textureUrl = json.png === undefined ? null : source.url(json.png);
-  if (json.png !== undefined && textureUrl === null) return unreadable(json.png, { file, field: 'png' });
   return buildScene(file, json, obj, textureUrl);
 }

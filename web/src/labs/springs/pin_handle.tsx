@@ -48,7 +48,7 @@ export function PinHandle({ actions }: { actions: Actions }) {
       class="pin-handle"
       style={place ? { left: `${place.x}px`, top: `${place.y}px` } : undefined}
       aria-label={t('page.pinHandle.label', { row: row + 1, count: pinned.length, vertex, x, y, z })}
-      onFocus={() => actions.select({ vertex })}
+      onFocus={() => actions.selectVertex(vertex)}
       onKeyDown={onKeyDown}
     />
   );

@@ -1,6 +1,7 @@
 import type { Actions } from '../../app/actions.ts';
 import { type MessageKey, t } from '../../app/messages/index.ts';
 import { frame, playing, r, scene, state } from '../../app/state.ts';
+import { Icon } from '../../lib/icon.tsx';
 import type { Frame } from '../../solver/frame.ts';
 import { Controls } from '../../views/controls/controls.tsx';
 import { GlobalEquation } from '../../views/equations/global_equation.tsx';
@@ -12,6 +13,7 @@ import { Transport } from '../../views/transport/transport.tsx';
 import { GlobalLegend, LocalLegend } from './legends.tsx';
 import { PinHandle } from './pin_handle.tsx';
 import { Stage } from './stage.tsx';
+import { scene3D } from './stage_signals.ts';
 import './springs_lab.css';
 
 /** The springs lab: the two half-steps side by side, each over its equation; below them the clock, then what can be changed. */
@@ -26,9 +28,8 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <div class="inspector">
             <SpringInspector actions={actions} />
           </div>
-          <div class="view" data-view="local" role="img" aria-label={t('page.local.view')}>
-            <LocalLegend phase={f.phase} />
-          </div>
+          <div class="view" data-view="local" role="img" aria-label={t('page.local.view')} />
+          <LocalLegend />
           <div class="panel">
             <LocalEquation frame={f} spring={selectedSpring()} />
           </div>
@@ -38,14 +39,22 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <div class="inspector">
             <VertexInspector actions={actions} />
           </div>
-          <div class="view" data-view="global" role="img" aria-label={t('page.global.view')}>
-            <GlobalLegend phase={f.phase} />
-          </div>
+          <div class="view" data-view="global" role="img" aria-label={t('page.global.view')} />
+          <GlobalLegend phase={f.phase} />
           <div class="panel">
             <GlobalEquation frame={f} />
           </div>
         </section>
         <PinHandle actions={actions} />
+        <button
+          type="button"
+          class="fit"
+          aria-label={t('page.stage.fit')}
+          title={t('page.stage.fit')}
+          onClick={() => scene3D.value?.fit()}
+        >
+          <Icon name="fit" />
+        </button>
       </div>
       <Transport actions={actions} />
       <div class="below">

@@ -77,11 +77,12 @@ export function Stage({ actions }: { actions: Actions }) {
 function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
   return {
     onSelect: (hit) => {
-      if (hit) actions.select({ [hit.kind]: hit.index });
+      if (hit?.kind === 'spring') actions.selectSpring(hit.index);
+      if (hit?.kind === 'vertex') actions.selectVertex(hit.index);
     },
     onPinToggle: (vertex) => actions.togglePin(vertex, positionOf(vertex)),
     onDragStart: (vertex) => {
-      actions.select({ vertex });
+      actions.selectVertex(vertex);
       actions.beginDrag(vertex);
     },
     onDrag: (vertex, target) => actions.movePin(vertex, [target[0], target[1], target[2]]),

@@ -28,14 +28,17 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
   const id = `parameter-${name}`;
   const changed = state.value.parameters[name] !== undefined;
 
+  const whole = name === 'iterations';
   const set = (next: number) => {
     setProblem(null);
-    actions.setParameter(name, name === 'iterations' ? Math.round(next) : next);
+    actions.setParameter(name, next);
   };
   const read = (text: string) => {
-    const number = parseNumber(text);
+    const number = parseNumber(text, unit);
     if (number === null) setProblem(t('page.controls.notANumber', { text }));
-    else if (number < min || number > max) setProblem(t('page.controls.outOfRange', { value: text, min, max }));
+    else if (number < min || number > max)
+      setProblem(t('page.controls.outOfRange', { value: text, min: show(min), max: show(max) }));
+    else if (whole && !Number.isInteger(number)) setProblem(t('page.controls.notWhole', { value: text }));
     else set(number);
   };
 
@@ -55,7 +58,10 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
         style={{ '--filled': `${(100 * toTick(value, min, max)) / ticks}%` }}
         aria-label={t(`page.controls.${name}`)}
         aria-valuetext={`${show(value)} ${unit}`}
-        onInput={(event) => set(round(fromTick(event.currentTarget.valueAsNumber, min, max)))}
+        onInput={(event) => {
+          const next = fromTick(event.currentTarget.valueAsNumber, min, max);
+          set(whole ? Math.round(next) : round(next));
+        }}
       />
       <span class="parameter-value">
         <input
@@ -66,6 +72,9 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
           aria-invalid={problem !== null}
           aria-describedby={problem ? `${id}-problem` : undefined}
           onChange={(event) => read(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Enter') event.currentTarget.blur(); // and the page's own keys work again
+          }}
         />
         <span class="unit">{unit}</span>
         <button

@@ -32,11 +32,18 @@ export function Help({ onClose }: { onClose: () => void }) {
       }}
     >
       <div class="help-title">
-        <h2 id="help-heading">{t('page.keys.heading')}</h2>
+        <h2 id="help-heading">{t('page.header.help')}</h2>
         <button ref={close} type="button" class="quiet" aria-label={t('page.keys.close')} onClick={onClose}>
           <Icon name="close" />
         </button>
       </div>
+      <h3>{t('page.keys.pointer')}</h3>
+      <ul>
+        {gestures.map((text) => (
+          <li key={text}>{t(text)}</li>
+        ))}
+      </ul>
+      <h3>{t('page.keys.keyboard')}</h3>
       <dl>
         {keys.map(([key, text]) => (
           <div key={text}>
@@ -47,12 +54,6 @@ export function Help({ onClose }: { onClose: () => void }) {
           </div>
         ))}
       </dl>
-      <h2>{t('page.keys.pointer')}</h2>
-      <ul>
-        {gestures.map((text) => (
-          <li key={text}>{t(text)}</li>
-        ))}
-      </ul>
     </aside>
   );
 }

@@ -13,7 +13,7 @@ export function SpringInspector({ actions }: { actions: Actions }) {
       label={t('page.inspect.spring')}
       value={state.value.selection.spring}
       count={count}
-      onChange={(spring) => actions.select({ spring })}
+      onChange={(spring) => actions.selectSpring(spring)}
     />
   );
 }
@@ -29,7 +29,7 @@ export function VertexInspector({ actions }: { actions: Actions }) {
         label={t('page.inspect.vertex')}
         value={vertex}
         count={scene.value.m.length}
-        onChange={(next) => actions.select({ vertex: next })}
+        onChange={(next) => actions.selectVertex(next)}
       />
       <button
         type="button"
@@ -70,7 +70,7 @@ function IndexField({ label, value, count, onChange }: IndexFieldProps) {
         aria-invalid={problem !== null}
         onChange={(event) => read(event.currentTarget.value)}
       />{' '}
-      <span class="of">{t('page.inspect.springOf', { count })}</span>
+      <span class="of">{t('page.inspect.range', { last: count - 1 })}</span>
       {problem && (
         <span class="index-problem" role="alert">
           {problem}

@@ -1,9 +1,11 @@
+import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, parameters, playing } from '../../app/state.ts';
+import { frame, playing } from '../../app/state.ts';
 import { Icon, type IconName } from '../../lib/icon.tsx';
 import type { Frame } from '../../solver/frame.ts';
+import { placeOf } from '../../solver/read_frame.ts';
 import './transport.css';
 
 /** The clock's buttons, the scrubber over the half-steps of the present time step, and the line that always says where we are. */
@@ -13,8 +15,10 @@ export function Transport({ actions }: { actions: Actions }) {
   const invite = playing.value && !hasPaused;
   const toggle = () => {
     setHasPaused(true);
-    actions.togglePlaying();
+    if (invite) actions.lookInside();
+    else actions.togglePlaying();
   };
+  const next = placeOf(f.half_step === f.last_half_step ? 0 : f.half_step + 1, f.last_half_step).phase;
   return (
     <section class="transport" id="transport" aria-label={t('page.transport.label')}>
       <div class="transport-buttons">
@@ -36,12 +40,14 @@ export function Transport({ actions }: { actions: Actions }) {
           <Icon name={playing.value ? 'pause' : 'play'} />
           {t(invite ? 'page.transport.inviteToPause' : playing.value ? 'page.transport.pause' : 'page.transport.play')}
         </button>
-        <Move icon="nextHalfStep" name="nextHalfStep" half onClick={() => actions.nextHalfStep()} />
+        <Move icon="nextHalfStep" name="nextHalfStep" half onClick={() => actions.nextHalfStep()}>
+          {!playing.value && <span class={`next-phase ${next}`}>{t(`page.phase.${next}`)}</span>}
+        </Move>
         <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
       </div>
       <div class="transport-place">
         <p class="transport-status" data-testid="status">
-          <Status frame={f} />
+          {statusText(f)}
         </p>
         <p class="transport-story">
           {t(`page.story.${playing.value ? 'playing' : f.phase}`, { iterations: f.iterations })}
@@ -52,21 +58,14 @@ export function Transport({ actions }: { actions: Actions }) {
   );
 }
 
-function Status({ frame: f }: { frame: Frame }) {
-  const { step, iteration, iterations } = f;
-  const seconds = (step * parameters.value.delta_t).toFixed(2);
-  return (
-    <>
-      {playing.value
-        ? t('page.transport.playing', { step, iterations })
-        : t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${f.phase}`) })}
-      <span class="transport-seconds"> · {t('page.transport.simulated', { seconds })}</span>
-    </>
-  );
+/** Where the clock and the cursor stand, in one line. */
+function statusText({ step, iteration, iterations, phase }: Frame): string {
+  if (playing.value) return t('page.transport.playing', { step, iterations });
+  return t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${phase}`) });
 }
 
 function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {
-  const { half_step, last_half_step, iteration, iterations, step } = f;
+  const { half_step, last_half_step, iterations } = f;
   return (
     <div class="scrubber">
       <input
@@ -76,11 +75,15 @@ function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {
         value={half_step}
         style={{ '--filled': `${(100 * half_step) / last_half_step}%` }}
         aria-label={t('page.transport.scrubber')}
-        aria-valuetext={t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${f.phase}`) })}
+        aria-valuetext={statusText(f)}
         onInput={(event) => actions.seek(event.currentTarget.valueAsNumber)}
       />
       <div class="scrubber-ends" aria-hidden="true">
         <span>{t('page.phase.predict')}</span>
+        <span>
+          {iterations} × (<span class="local">{t('page.phase.local')}</span>,{' '}
+          <span class="global">{t('page.phase.global')}</span>)
+        </span>
         <span>{t('page.phase.accept')}</span>
       </div>
     </div>
@@ -93,9 +96,10 @@ interface MoveProps {
   half?: boolean;
   off?: boolean;
   onClick: () => void;
+  children?: ComponentChildren;
 }
 
-function Move({ icon, name, half = false, off = false, onClick }: MoveProps) {
+function Move({ icon, name, half = false, off = false, onClick, children }: MoveProps) {
   const label = t(`page.transport.${name}`);
   return (
     <button
@@ -108,6 +112,7 @@ function Move({ icon, name, half = false, off = false, onClick }: MoveProps) {
     >
       <Icon name={icon} />
       {half && <span aria-hidden="true">{t('page.transport.half')}</span>}
+      {children}
     </button>
   );
 }
