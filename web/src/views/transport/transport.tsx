@@ -41,7 +41,11 @@ export function Transport({ actions }: { actions: Actions }) {
           {t(invite ? 'page.transport.inviteToPause' : playing.value ? 'page.transport.pause' : 'page.transport.play')}
         </button>
         <Move icon="nextHalfStep" name="nextHalfStep" half onClick={() => actions.nextHalfStep()}>
-          {!playing.value && <span class={`next-phase ${next}`}>{t(`page.phase.${next}`)}</span>}
+          {!playing.value && (
+            <span class={`next-phase ${next}`} aria-hidden="true">
+              {t(`page.phase.${next}`)}
+            </span>
+          )}
         </Move>
         <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
       </div>

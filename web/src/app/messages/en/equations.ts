@@ -16,7 +16,7 @@ export const equations = {
     title: 'Global step',
     invite: 'Click a vertex to see its row of the equation here.',
     notYet: 'Not yet: without d there is no b. The local step comes first.',
-    waiting: 'Qp ≠ b until the next half-step solves it.',
+    waiting: 'b is new; the next half-step solves for p.',
     vertex: 'Vertex {{index}}',
     moved: 'moved {{length}}',
     table: 'Row {{index}} of Qp = b, in {{unit}}',
