@@ -64,7 +64,7 @@ test('the whole page can be reached with the keyboard alone', async ({ page }) =
     reached.add(name.trim());
     if (reached.has('Wind')) break; // past the transport and the equations, into the controls
   }
-  for (const name of ['Half-step forward', 'Half-step back', 'One time step', 'Reset to rest', 'Wind'])
-    expect([...reached]).toContain(name);
-  expect([...reached].some((name) => name.startsWith('Pin 1 of 6'))).toBe(true);
+  for (const name of ['Half-step back', 'One time step', 'Reset to rest', 'Wind']) expect([...reached]).toContain(name);
+  for (const beginning of ['Half-step forward', 'Pin 1 of 6'])
+    expect([...reached].some((name) => name.startsWith(beginning))).toBe(true);
 });

@@ -1,10 +1,9 @@
-import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { frame, playing } from '../../app/state.ts';
 import { Icon, type IconName } from '../../lib/icon.tsx';
-import type { Frame } from '../../solver/frame.ts';
+import type { Frame, Phase } from '../../solver/frame.ts';
 import { placeOf } from '../../solver/read_frame.ts';
 import './transport.css';
 
@@ -40,13 +39,7 @@ export function Transport({ actions }: { actions: Actions }) {
           <Icon name={playing.value ? 'pause' : 'play'} />
           {t(invite ? 'page.transport.inviteToPause' : playing.value ? 'page.transport.pause' : 'page.transport.play')}
         </button>
-        <Move icon="nextHalfStep" name="nextHalfStep" half onClick={() => actions.nextHalfStep()}>
-          {!playing.value && (
-            <span class={`next-phase ${next}`} aria-hidden="true">
-              {t(`page.phase.${next}`)}
-            </span>
-          )}
-        </Move>
+        <Move icon="nextHalfStep" name="nextHalfStep" half leadsTo={next} onClick={() => actions.nextHalfStep()} />
         <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
       </div>
       <div class="transport-place">
@@ -100,11 +93,13 @@ interface MoveProps {
   half?: boolean;
   off?: boolean;
   onClick: () => void;
-  children?: ComponentChildren;
+  /** Said in words beside the icon. */
+  leadsTo?: Phase;
 }
 
-function Move({ icon, name, half = false, off = false, onClick, children }: MoveProps) {
-  const label = t(`page.transport.${name}`);
+function Move({ icon, name, half = false, off = false, onClick, leadsTo }: MoveProps) {
+  const words = leadsTo && t(`page.phase.${leadsTo}`);
+  const label = words ? `${t(`page.transport.${name}`)}: ${words}` : t(`page.transport.${name}`);
   return (
     <button
       type="button"
@@ -115,8 +110,8 @@ function Move({ icon, name, half = false, off = false, onClick, children }: Move
       onClick={off ? undefined : onClick}
     >
       <Icon name={icon} />
-      {half && <span aria-hidden="true">{t('page.transport.half')}</span>}
-      {children}
+      {half && <span class="half-sign" />}
+      {words && <span class={`next-phase ${leadsTo}`}>{words}</span>}
     </button>
   );
 }

@@ -44,7 +44,6 @@ export const page = {
     previousHalfStep: 'Half-step back',
     nextHalfStep: 'Half-step forward',
     nextStep: 'One time step',
-    half: '½',
     scrubber: 'Half-step of this time step',
     status: 'time step t = {{step}} · iteration {{iteration}} of {{iterations}} · {{phase}}',
     playing: 'time step t = {{step}} · playing, {{iterations}} iterations a step',

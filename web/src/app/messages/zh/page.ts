@@ -44,7 +44,6 @@ export const page = {
     previousHalfStep: '后退半步',
     nextHalfStep: '前进半步',
     nextStep: '前进一个时间步',
-    half: '½',
     scrubber: '本时间步中的半步',
     status: '时间步 t = {{step}} · 第 {{iteration}} 次迭代（共 {{iterations}} 次）· {{phase}}',
     playing: '时间步 t = {{step}} · 播放中，每步迭代 {{iterations}} 次',
