@@ -1,0 +1,19 @@
+#pragma once
+
+#include "time_step.h"
+
+namespace mass_spring {
+
+/// H = ∂²E/∂p² as triplets, 3#V by 3#V, N/m; coordinate c of vertex i is row 3i + c. A spring of
+/// length l along the unit vector n adds ±k [n nᵀ + (1 - r/l)(I - n nᵀ)] to the 3 by 3 blocks of
+/// its ends, a mass m/Δt² and a pin w to the diagonal. Which entries there are depends on springs
+/// and pins only.
+///
+/// Across a spring shorter than r, which pushes, E curves downwards: 1 - r/l is negative, and
+/// infinite if the spring has collapsed. Without that share H is positive definite.
+/// @param p         #V by 3, m
+/// @param left_out  share of that negative curvature to leave out: 0 is the exact Hessian, with 1
+/// it is certain to be positive definite
+Triplets hessian(const TimeStep& step, const Points& p, double left_out);
+
+}  // namespace mass_spring
