@@ -1,49 +1,60 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { exaggerations, quantile, settle, steps125 } from '../../../../web/src/views/scene3d/exaggeration.ts';
+import {
+  exaggerations,
+  quantile,
+  settleAbove,
+  settleBelow,
+  steps125,
+} from '../../../../web/src/views/scene3d/exaggeration.ts';
 
 it('steps are 1, 2, 5 times powers of ten', () => {
   expect(exaggerations).toEqual([1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]);
   expect(steps125(0.01, 0.5)).toEqual([0.01, 0.02, 0.05, 0.1, 0.2, 0.5]);
 });
 
-describe('settle', () => {
-  const ideal = fc.double({ min: 0, noNaN: true });
-  const step = fc.constantFrom(...exaggerations);
+const bound = fc.double({ min: 0, noNaN: true });
+const step = fc.constantFrom(undefined, ...exaggerations);
 
-  it('takes the nearest step, in ratio, when nothing is in use', () => {
-    expect(settle(3, undefined, exaggerations)).toBe(2); // 3/2 < 5/3
-    expect(settle(3.3, undefined, exaggerations)).toBe(5); // 5/3.3 < 3.3/2
-  });
-
-  it('always takes one of the steps, and the outermost beyond them', () => {
-    fc.assert(fc.property(ideal, step, (x, current) => exaggerations.includes(settle(x, current, exaggerations))));
+describe.each([
+  { settle: settleBelow, holds: (chosen: number, most: number) => chosen <= Math.max(most, 1) },
+  { settle: settleAbove, holds: (chosen: number, least: number) => chosen >= Math.min(least, 1000) },
+])('$settle.name', ({ settle, holds }) => {
+  it('takes a step that keeps the bound, or the outermost', () => {
+    fc.assert(
+      fc.property(bound, step, (x, current) => {
+        const chosen = settle(x, current, exaggerations);
+        expect(exaggerations).toContain(chosen);
+        expect(holds(chosen, x)).toBe(true);
+      }),
+    );
     expect(settle(Number.POSITIVE_INFINITY, undefined, exaggerations)).toBe(1000);
     expect(settle(0, undefined, exaggerations)).toBe(1);
   });
 
-  it('stays where it is: the same ideal never moves it twice', () => {
+  it('takes a step at most three times off a bound within their range', () => {
     fc.assert(
-      fc.property(ideal, step, (x, current) => {
+      fc.property(fc.double({ min: 1, max: 1000, noNaN: true }), step, (x, current) => {
+        expect(Math.abs(Math.log(settle(x, current, exaggerations) / x))).toBeLessThanOrEqual(Math.log(3));
+      }),
+    );
+  });
+
+  it('stays where it is: the same bound never moves it twice', () => {
+    fc.assert(
+      fc.property(bound, step, (x, current) => {
         const once = settle(x, current, exaggerations);
         expect(settle(x, once, exaggerations)).toBe(once);
       }),
     );
   });
+});
 
-  it('a swing of ±50 % about where it settled does not flicker', () => {
-    // The nearest step is at most √(5/2) = 1.58 away in ratio, and 1.58 · 1.5 < 3, the reluctance.
-    fc.assert(
-      fc.property(
-        fc.double({ min: 1, max: 1000, noNaN: true }),
-        fc.double({ min: 1 / 1.5, max: 1.5, noNaN: true }),
-        (x, s) => {
-          const settled = settle(x, undefined, exaggerations);
-          expect(settle(x * s, settled, exaggerations)).toBe(settled);
-        },
-      ),
-    );
-  });
+it('a bound that swings across a step moves the choice once', () => {
+  expect(settleBelow(4.9, 5, exaggerations)).toBe(2);
+  expect(settleBelow(5.1, 2, exaggerations)).toBe(2);
+  expect(settleAbove(5.1, 5, exaggerations)).toBe(10);
+  expect(settleAbove(4.9, 10, exaggerations)).toBe(10);
 });
 
 describe('quantile', () => {

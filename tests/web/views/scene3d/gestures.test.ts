@@ -121,9 +121,17 @@ describe('two fingers', () => {
 });
 
 describe('the wheel', () => {
-  it('zooms, and there and back again is nothing', () => {
+  const zooming = { ctrlKey: true };
+
+  it('alone is left to the page, which scrolls', () => {
     const event = canvas.send('wheel', 0, 0, { deltaY: -100 });
-    canvas.send('wheel', 0, 0, { deltaY: 100 });
+    expect(event.defaultPrevented).toBe(false);
+    expect(handlers.zoom).not.toHaveBeenCalled();
+  });
+
+  it('with ctrl zooms, and there and back again is nothing', () => {
+    const event = canvas.send('wheel', 0, 0, { deltaY: -100, ...zooming });
+    canvas.send('wheel', 0, 0, { deltaY: 100, ...zooming });
     const [[nearer], [farther]] = handlers.zoom.mock.calls;
     expect(nearer).toBeGreaterThan(1);
     expect(nearer * farther).toBeCloseTo(1, 12);
@@ -131,10 +139,17 @@ describe('the wheel', () => {
   });
 
   it('that counts in lines zooms as one that counts in pixels', () => {
-    canvas.send('wheel', 0, 0, { deltaY: 3, deltaMode: 1 });
-    canvas.send('wheel', 0, 0, { deltaY: 48 });
+    canvas.send('wheel', 0, 0, { deltaY: 1, deltaMode: 1, ...zooming });
+    canvas.send('wheel', 0, 0, { deltaY: 16, ...zooming });
     const [[lines], [pixels]] = handlers.zoom.mock.calls;
     expect(lines).toBe(pixels);
+  });
+
+  it('of a mouse, whose notches are large, zooms by no more than a pinch', () => {
+    canvas.send('wheel', 0, 0, { deltaY: -120, ...zooming });
+    canvas.send('wheel', 0, 0, { deltaY: -20, ...zooming });
+    const [[notch], [pinch]] = handlers.zoom.mock.calls;
+    expect(notch).toBe(pinch);
   });
 });
 

@@ -16,7 +16,7 @@ function contrast(one: string, other: string): number {
 }
 
 describe.each([lightPalette, darkPalette])('on $background', (palette) => {
-  const { background, spring, vertex, arrow, pin, selected, strain, ghost } = palette;
+  const { background, spring, vertex, arrow, pin, selected, glow, strain, ghost } = palette;
 
   it.each([{ spring, vertex, arrow, pin, selected, compressed: strain[0], stretched: strain[4] }])(
     'what carries meaning has the 3 : 1 that graphics need',
@@ -24,6 +24,10 @@ describe.each([lightPalette, darkPalette])('on $background', (palette) => {
       for (const colour of Object.values(colours)) expect(contrast(colour, background)).toBeGreaterThanOrEqual(3);
     },
   );
+
+  it('what is selected stands out from its glow', () => {
+    expect(contrast(selected, glow)).toBeGreaterThanOrEqual(3);
+  });
 
   it('ghosts are fainter than every spring', () => {
     for (const colour of [spring, ...strain]) {

@@ -49,12 +49,20 @@ describe('stageOf', () => {
 
   it('at predict every spring is whole, and arrows point to where inertia would carry the net', () => {
     const stage = stageOf(frameAt('predict'), 1);
-    expect(stage.tear).toBe(0);
-    expect(stage.ghost).toBe(prediction);
+    expect(stage.d).toBeNull();
+    expect(stage.ghost).toEqual(prediction);
     expect(stage.towardsGhost).toBe(true);
   });
 
-  it('without projections nothing is torn', () => {
-    for (const phase of phases) expect(stageOf({ ...frameAt(phase), d: null }, 1).tear).toBe(0);
+  it('inertia carries no pin', () => {
+    expect(stageOf({ ...frameAt('predict'), pinned: Int32Array.of(0), targets: p }, 1).ghost).toEqual(p);
+    expect([...prediction]).toEqual([0, -1, 0]); // the frame's own array is as it was
+  });
+
+  it('tears to the frame’s projections', () => {
+    for (const phase of phases) {
+      const frame = frameAt(phase);
+      expect(stageOf(frame, 1).d).toBe(frame.d);
+    }
   });
 });

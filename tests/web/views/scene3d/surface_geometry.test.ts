@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { surfaceCorners, vertexNormals } from '../../../../web/src/views/scene3d/surface_geometry.ts';
+import { surfaceCorners, takeRows, vertexNormals } from '../../../../web/src/views/scene3d/surface_geometry.ts';
 
 /** Two triangles that share the edge 1–2. */
 const F = Uint32Array.of(0, 1, 2, 2, 1, 3);
@@ -48,4 +48,10 @@ describe('vertexNormals', () => {
   it('a vertex without triangles has none, and no NaN', () => {
     expect([...normalsOf([0, 0, 0], new Uint32Array())]).toEqual([0, 0, 0]);
   });
+});
+
+it('takeRows copies the chosen rows, in order, some of them twice', () => {
+  const out = new Float32Array(9);
+  takeRows(Float64Array.of(0, 1, 2, 3, 4, 5), Int32Array.of(1, 0, 1), out);
+  expect([...out]).toEqual([3, 4, 5, 0, 1, 2, 3, 4, 5]);
 });

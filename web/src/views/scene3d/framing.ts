@@ -1,4 +1,4 @@
-/** What a view of the whole scene should hold, and from how steep above. */
+/** What a view should hold, and from how steep above. */
 export interface Framing {
   /** #×3, metres. */
   points: Float64Array;
@@ -9,31 +9,86 @@ export interface Framing {
 /** Radians from +y down: for what stands upright and for what lies flat. */
 const uprightPolar = 1.35;
 const flatPolar = 0.9;
-/** How much of its fall a vertex makes, when its neighbours are pinned elsewhere and all lies flat. What hangs already falls less. */
-const fallShare = 0.6;
+/** How deep a flat net sags between its pins, in distances to the nearest one. */
+const sagShare = 0.6;
+/** How far what hangs swings on to the other side. */
+const swingShare = 0.7;
+
+/** Where vertices and pins are. */
+export function framingOfNow(p: Float64Array, targets: Float64Array): Framing {
+  return { points: joined(p, targets), polar: polarOf(flatness(p)) };
+}
 
 /**
- * Everything at rest (V #V×3, metres), and how deep it may hang: alone, a vertex could swing down by as far as it lies aside of the nearest pin.
- * From a single pin everything does so, and to the other side too.
+ * The scene at rest (V #V×3, metres) and the room in which it will fall: what lies among its pins sags, and what lies aside of them all
+ * comes to hang beneath them, no lower than its distance to each pin allows, and swings on to the other side.
  */
-export function framingOf(V: Float64Array, pinned: Int32Array): Framing {
+export function framingOfFall(V: Float64Array, pinned: Int32Array): Framing {
   const flat = flatness(V);
-  const fall = pinned.length === 1 ? 1 : fallShare * flat;
-  const points = Array.from(V);
-  for (let v = 0; v < V.length; v += 3) {
-    const aside = (pin: number) => Math.hypot(V[v] - V[3 * pin], V[v + 2] - V[3 * pin + 2]);
-    const nearest = pinned.reduce((least, pin) => Math.min(least, aside(pin)), Number.POSITIVE_INFINITY);
-    if (pinned.length > 0) points.push(V[v], V[v + 1] - fall * nearest, V[v + 2]);
-    if (pinned.length === 1) points.push(2 * V[3 * pinned[0]] - V[v], V[v + 1], 2 * V[3 * pinned[0] + 2] - V[v + 2]);
+  const pins = Float64Array.from([...pinned].flatMap((v) => [...V.subarray(3 * v, 3 * v + 3)]));
+  const room: number[] = [];
+  if (pinned.length > 0) {
+    const [alongX, , alongZ] = ranges(pins);
+    for (let v = 0; v < V.length; v += 3) {
+      const [x, y, z] = V.subarray(v, v + 3);
+      const asideX = x - clamp(x, alongX);
+      const asideZ = z - clamp(z, alongZ);
+      const { distance, lowest } = reach(x, y, z, pins);
+      const hangs = distance > 0 ? Math.hypot(asideX, asideZ) / distance : 0;
+      const sag = sagShare * flat * distance;
+      room.push(x - hangs * asideX, y - Math.max(sag, hangs * (y - lowest)), z - hangs * asideZ);
+      room.push(x - (1 + swingShare) * hangs * asideX, y, z - (1 + swingShare) * hangs * asideZ);
+    }
   }
-  return { points: Float64Array.from(points), polar: uprightPolar + (flatPolar - uprightPolar) * flat };
+  return { points: joined(V, room), polar: polarOf(flat) };
+}
+
+/** Metres: to the nearest pin, and the lowest y at which no pin is farther than at rest. */
+function reach(x: number, y: number, z: number, pins: Float64Array): { distance: number; lowest: number } {
+  let distance = Number.POSITIVE_INFINITY;
+  let lowest = Number.NEGATIVE_INFINITY;
+  for (let pin = 0; pin < pins.length; pin += 3) {
+    const apart = Math.hypot(pins[pin] - x, pins[pin + 1] - y, pins[pin + 2] - z);
+    distance = Math.min(distance, apart);
+    lowest = Math.max(lowest, pins[pin + 1] - apart);
+  }
+  return { distance, lowest };
+}
+
+function joined(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
+  const both = new Float64Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
+}
+
+function polarOf(flat: number): number {
+  return uprightPolar + (flatPolar - uprightPolar) * flat;
 }
 
 /** 0: at least as high as wide … 1: flat on the ground. */
-function flatness(V: Float64Array): number {
-  const [width, height, depth] = [0, 1, 2].map((axis) => {
-    const coordinates = V.filter((_, at) => at % 3 === axis);
-    return coordinates.reduce((a, b) => Math.max(a, b)) - coordinates.reduce((a, b) => Math.min(a, b));
-  });
+function flatness(points: Float64Array): number {
+  const [width, height, depth] = ranges(points).map(({ least, most }) => most - least);
   return Math.max(0, 1 - height / Math.max(width, depth));
+}
+
+interface Range {
+  least: number;
+  most: number;
+}
+
+/** Of points (#×3): along x, y and z. */
+function ranges(points: Float64Array): Range[] {
+  return [0, 1, 2].map((axis) => {
+    const range = { least: Number.POSITIVE_INFINITY, most: Number.NEGATIVE_INFINITY };
+    for (let at = axis; at < points.length; at += 3) {
+      range.least = Math.min(range.least, points[at]);
+      range.most = Math.max(range.most, points[at]);
+    }
+    return range;
+  });
+}
+
+function clamp(value: number, { least, most }: Range): number {
+  return Math.max(least, Math.min(most, value));
 }

@@ -20,12 +20,14 @@ interface Finger {
 
 /** CSS pixels that a press may wander and still be a tap. */
 const tapSlack: Record<string, number> = { mouse: 3, pen: 6, touch: 10 };
-const zoomPerWheelPixel = 0.0015;
+/** Pinching a touchpad sends wheel events of a few pixels, a notch of a mouse wheel one of a hundred or more. */
+const zoomPerWheelPixel = 0.01;
+const mostWheelPixels = 20;
 const pixelsPerWheelLine = 16;
 
 /**
  * One finger on something draggable drags it, one elsewhere orbits, two move and zoom; a second finger lets go of what the first held.
- * With a mouse the right button (or ctrl) pans and the wheel zooms.
+ * With a mouse the right button (or ctrl) pans, and the wheel with ctrl zooms, as pinching a touchpad does; the wheel alone scrolls the page.
  */
 export class Gestures {
   private readonly element: HTMLElement;
@@ -112,9 +114,10 @@ export class Gestures {
   }
 
   private wheel(event: WheelEvent): void {
-    event.preventDefault();
+    if (!event.ctrlKey && !event.metaKey) return;
+    event.preventDefault(); // or the browser would enlarge the page
     const pixels = event.deltaY * (event.deltaMode === event.DOM_DELTA_LINE ? pixelsPerWheelLine : 1);
-    this.handlers.zoom(Math.exp(-zoomPerWheelPixel * pixels));
+    this.handlers.zoom(Math.exp(-zoomPerWheelPixel * Math.max(-mostWheelPixels, Math.min(mostWheelPixels, pixels))));
   }
 }
 

@@ -12,7 +12,7 @@ import { Surface } from './surface.ts';
 import type { Scene3DModel } from './types.ts';
 
 /** More arrows than this are a thicket. */
-const mostArrows = 400;
+const mostArrows = 160;
 /** Springs over a cloth show its mesh and leave its picture. */
 const presenceOnCloth = 0.4;
 
@@ -38,10 +38,10 @@ export class GlobalView {
     this.points = model.V.slice();
     this.ghostPoints = model.V.slice();
     this.arrowVertices = thinned(model.V, mostArrows);
-    this.segments = new Segments(ink, model.r.length, 'among');
-    this.vertices = new Marks(ink, vertexCount, 'disc', 'among');
-    this.ghost = new Segments(ink, model.r.length, 'beneath');
-    this.arrows = new Segments(ink, this.arrowVertices.length, 'above');
+    this.segments = new Segments(ink, model.r.length, 'net');
+    this.vertices = new Marks(ink, vertexCount, 'disc', 'net');
+    this.ghost = new Segments(ink, model.r.length, 'ghost');
+    this.arrows = new Segments(ink, this.arrowVertices.length, 'arrow');
     this.surface = model.F.length > 0 ? new Surface(model, onTexture) : null;
     this.overlay = new Overlay(ink, vertexCount);
     this.scene.add(new HemisphereLight('#ffffff', '#c4c8d0', 1.7), this.light, this.light.target);
@@ -59,8 +59,13 @@ export class GlobalView {
         : { ...spring, halo: strokes.halo, haloColour: background },
     );
     this.vertices.setStyle({ radius: strokes.vertex, halo: 0, colour: palette.vertex, haloColour: background });
-    this.vertices.mesh.visible = strokes.vertex > 0 && this.segments.mesh.visible;
-    this.arrows.setStyle({ width: strokes.arrow, head: strokes.arrowHead, halo: 1, haloColour: background });
+    this.arrows.setStyle({
+      width: strokes.arrow,
+      head: strokes.arrowHead,
+      shortest: 2,
+      halo: 1,
+      haloColour: background,
+    });
     this.overlay.setStyle(palette, strokes, spring);
   }
 
@@ -70,36 +75,46 @@ export class GlobalView {
     this.light.position.y += 0.5 * eye.length();
   }
 
-  update(stage: Stage, palette: Palette, exaggeration: number, shown: { springs: boolean; surface: boolean }): void {
-    const { E } = this.model;
+  update(
+    stage: Stage,
+    palette: Palette,
+    strokes: Strokes,
+    exaggeration: number | null,
+    shown: { springs: boolean; surface: boolean },
+  ): void {
     interpolatePoints(stage.from, stage.to, stage.move, this.points);
-    springSegments(this.points, E, this.segments.data);
+    const showSurface = this.surface !== null && shown.surface;
+    this.updateSprings(palette, strokes, shown.springs || !showSurface);
+    this.updateMoves(stage, palette, exaggeration);
+    if (!this.surface) return;
+    this.surface.mesh.visible = showSurface;
+    if (showSurface) this.surface.update(this.points, palette.cloth);
+  }
+
+  private updateSprings(palette: Palette, strokes: Strokes, visible: boolean): void {
+    this.segments.mesh.visible = visible;
+    this.vertices.mesh.visible = visible && strokes.vertex > 0;
+    springSegments(this.points, this.model.E, this.segments.data);
     this.segments.fill(palette.spring);
     this.segments.commit();
     this.vertices.moveTo(this.points);
+  }
 
-    this.ghost.mesh.visible = stage.ghost !== null;
-    this.arrows.mesh.visible = stage.ghost !== null;
-    if (stage.ghost) {
-      for (let c = 0; c < this.points.length; c++) {
-        this.ghostPoints[c] = this.points[c] + stage.reveal * exaggeration * (stage.ghost[c] - stage.to[c]);
-      }
-      springSegments(this.ghostPoints, E, this.ghost.data);
-      this.ghost.fill(palette.ghost);
-      this.ghost.commit();
-      const [tails, tips] = stage.towardsGhost ? [this.points, this.ghostPoints] : [this.ghostPoints, this.points];
-      arrowSegments(this.arrowVertices, tails, tips, this.arrows.data);
-      this.arrows.fill(palette.arrow);
-      this.arrows.commit();
-    }
-
-    const cloth = shown.surface ? this.surface : null;
-    if (this.surface) this.surface.mesh.visible = cloth !== null;
-    this.segments.mesh.visible = shown.springs || cloth === null;
-    if (cloth) {
-      cloth.colour = palette.cloth;
-      cloth.update(this.points);
-    }
+  /** Ghost and arrows: each vertex's way from or to where it was or will be, `exaggeration` times as long. */
+  private updateMoves({ ghost, to, reveal, towardsGhost }: Stage, palette: Palette, exaggeration: number | null): void {
+    const { points, ghostPoints } = this;
+    const moves = ghost !== null && exaggeration !== null;
+    this.ghost.mesh.visible = moves;
+    this.arrows.mesh.visible = moves;
+    if (!moves) return;
+    for (let c = 0; c < points.length; c++) ghostPoints[c] = points[c] + reveal * exaggeration * (ghost[c] - to[c]);
+    springSegments(ghostPoints, this.model.E, this.ghost.data);
+    this.ghost.fill(palette.ghost);
+    this.ghost.commit();
+    const [tails, tips] = towardsGhost ? [points, ghostPoints] : [ghostPoints, points];
+    arrowSegments(this.arrowVertices, tails, tips, this.arrows.data);
+    this.arrows.fill(palette.arrow);
+    this.arrows.commit();
   }
 
   dispose(): void {

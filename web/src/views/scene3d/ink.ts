@@ -43,9 +43,9 @@ export function setInkColour(colour: Color, hex: string): void {
   colour.setStyle(hex, LinearSRGBColorSpace);
 }
 
-/** Drawn under everything, among everything by depth, over everything, or over that too. */
-export type Layer = 'beneath' | 'among' | 'above' | 'topmost';
-const renderOrders: Record<Layer, number> = { beneath: -1, among: 0, above: 1, topmost: 2 };
+/** Each is drawn over those before it; only what is in the net hides one another by depth. */
+const layers = ['ghost', 'net', 'highlight', 'arrow', 'pin'] as const;
+export type Layer = (typeof layers)[number];
 
 const texelsPerRow = 1024;
 
@@ -58,6 +58,8 @@ export class InkQuads {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** capacity×(4·texels). */
   readonly data: Float32Array;
+  private readonly capacity: number;
+  private readonly texels: number;
   private readonly texture: DataTexture;
 
   /** `vertexMain` reads `texel(0 … texels − 1)` and calls `place`, `fragmentMain` calls `paint`. */
@@ -70,6 +72,8 @@ export class InkQuads {
     vertexMain: string,
     fragmentMain: string,
   ) {
+    this.capacity = capacity;
+    this.texels = texels;
     const rows = Math.max(1, Math.ceil((capacity * texels) / texelsPerRow));
     const padded = new Float32Array(4 * texelsPerRow * rows);
     this.data = padded.subarray(0, 4 * texels * capacity);
@@ -87,22 +91,24 @@ export class InkQuads {
       fragmentShader: inkFragmentShader + fragmentMain,
       side: DoubleSide,
       alphaToCoverage: true,
-      depthTest: layer === 'among',
-      depthWrite: layer === 'among',
+      depthTest: layer === 'net',
+      depthWrite: layer === 'net',
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = renderOrders[layer];
+    this.mesh.renderOrder = layers.indexOf(layer) - layers.indexOf('net'); // a cloth, too, has 0
   }
 
-  /** Draws the first `count` shapes only. */
-  protected setCount(count: number): void {
+  /** To be called when `data` has changed: draws its first `count` shapes, and copies no more than those. */
+  commit(count = this.capacity): void {
     this.mesh.geometry.setDrawRange(0, 6 * count);
-  }
-
-  /** To be called when `data` has changed. */
-  commit(): void {
-    this.texture.needsUpdate = true;
+    const used = 4 * this.texels * count;
+    const row = 4 * texelsPerRow;
+    this.texture.clearUpdateRanges();
+    if (count < this.capacity) {
+      for (let at = 0; at < used; at += row) this.texture.addUpdateRange(at, Math.min(row, used - at));
+    }
+    this.texture.needsUpdate = count > 0;
   }
 
   dispose(): void {

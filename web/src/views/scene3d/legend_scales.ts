@@ -1,17 +1,25 @@
 import { displacement } from './displacements.ts';
-import { exaggerations, quantile, settle, strainRanges } from './exaggeration.ts';
-import { springStrain } from './spring_segments.ts';
+import { exaggerations, quantile, settleAbove, settleBelow, strainRanges } from './exaggeration.ts';
+import { springLength, springStrain } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
-/** What automatic exaggeration aims at: the gap that tears a typical spring from the next, in lengths of the spring, and arrows in CSS pixels. */
+/** What automatic exaggeration aims at. A typical gap of half of this is not exaggerated: no step lies between ×1 and ×2. */
+const gapPixels = 12;
+/** The most that the gap may take of a strongly strained spring's length. */
 const gapShare = 0.4;
-const arrowPixels = 20;
+/** The typical arrow's least length. */
+const arrowPixels = 16;
+
+const typically = 0.8;
+const strongly = 0.95;
 
 /** Chooses the automatic scales, and remembers them so that they change seldom. */
 export class LegendScales {
   private readonly model: Scene3DModel;
-  private automatic: Scene3DLegend | null = null;
+  private gapFactor: number | undefined;
+  private moveFactor: number | undefined;
+  private strainRange: number | undefined;
   private chosen: Scene3DLegend | null = null;
 
   constructor(model: Scene3DModel) {
@@ -19,28 +27,39 @@ export class LegendScales {
   }
 
   /** The same object as before when no number changes. */
-  choose(stage: Stage, options: Scene3DOptions, pixelsPerMetre: number): Scene3DLegend {
-    const { E, r } = this.model;
-    const { torn, ghost, to } = stage;
-    const before = this.automatic;
-    const strainAt = (e: number) => Math.abs(springStrain(torn, E, r, e));
-    const typical = quantile(r.length, strainAt, 0.8);
-    const strong = quantile(r.length, strainAt, 0.95);
-    const moved = ghost ? quantile(to.length / 3, (v) => displacement(ghost, to, v), 0.8) * pixelsPerMetre : 0;
-    this.automatic = {
-      localExaggeration: settle(gapShare / typical, before?.localExaggeration, exaggerations),
-      globalExaggeration: ghost
-        ? settle(arrowPixels / moved, before?.globalExaggeration, exaggerations)
-        : (before?.globalExaggeration ?? 1),
-      strainRange: settle(strong, before?.strainRange, strainRanges),
+  choose(stage: Stage, { exaggeration, strainRange }: Scene3DOptions, pixelsPerMetre: number): Scene3DLegend {
+    const manual = exaggeration === 'automatic' ? null : exaggeration;
+    const wanted: Scene3DLegend = {
+      localExaggeration: stage.d && (manual ?? this.chooseGapFactor(stage.torn, pixelsPerMetre)),
+      globalExaggeration: stage.ghost && (manual ?? this.chooseMoveFactor(stage.ghost, stage.to, pixelsPerMetre)),
+      strainRange: strainRange === 'automatic' ? this.chooseStrainRange(stage.torn) : strainRange,
     };
-
-    const { exaggeration, strainRange } = options;
-    const wanted = { ...this.automatic };
-    if (exaggeration !== 'automatic') wanted.localExaggeration = wanted.globalExaggeration = exaggeration;
-    if (strainRange !== 'automatic') wanted.strainRange = strainRange;
     if (!this.chosen || !sameLegend(this.chosen, wanted)) this.chosen = wanted;
     return this.chosen;
+  }
+
+  private chooseGapFactor(torn: Float64Array, pixelsPerMetre: number): number {
+    const { E, r } = this.model;
+    const gap = (e: number) => Math.abs(springLength(torn, E, e) - r[e]);
+    const share = (e: number) => (gap(e) === 0 ? 0 : gap(e) / springLength(torn, E, e));
+    const typical = quantile(r.length, gap, typically) * pixelsPerMetre;
+    const strong = quantile(r.length, share, strongly);
+    this.gapFactor = settleBelow(Math.min(gapPixels / typical, gapShare / strong), this.gapFactor, exaggerations);
+    return this.gapFactor;
+  }
+
+  private chooseMoveFactor(ghost: Float64Array, to: Float64Array, pixelsPerMetre: number): number {
+    const typical = quantile(to.length / 3, (v) => displacement(ghost, to, v), typically) * pixelsPerMetre;
+    this.moveFactor = settleAbove(arrowPixels / typical, this.moveFactor, exaggerations);
+    return this.moveFactor;
+  }
+
+  /** What is strained most has full colour. */
+  private chooseStrainRange(torn: Float64Array): number {
+    const { E, r } = this.model;
+    const strong = quantile(r.length, (e) => Math.abs(springStrain(torn, E, r, e)), strongly);
+    this.strainRange = settleBelow(strong, this.strainRange, strainRanges);
+    return this.strainRange;
   }
 }
 

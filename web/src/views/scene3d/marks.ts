@@ -38,8 +38,7 @@ export class Marks extends InkQuads {
     for (let mark = 0; mark < points.length / 3; mark++) {
       for (let c = 0; c < 3; c++) this.data[4 * mark + c] = points[3 * mark + c];
     }
-    this.setCount(points.length / 3);
-    this.commit();
+    this.commit(points.length / 3);
   }
 }
 

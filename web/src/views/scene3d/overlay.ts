@@ -13,47 +13,58 @@ export interface Highlighted {
   vertex: number | null;
 }
 
+/** CSS pixels: dashes of a leash, and how far a vertex must be from where its pin holds it for the leash to be drawn. */
+const leash = { width: 1.25, dash: 3, shortest: 4 };
+
 /** What lies over a view's springs: the pins, what is selected and what the pointer rests on. */
 export class Overlay {
   readonly group = new Group();
   private readonly pins: Marks;
+  /** From each pinned vertex to where its pin will pull it. */
+  private readonly leashes: Segments;
   private readonly selected: Highlight;
   private readonly hovered: Highlight;
 
   constructor(ink: Ink, vertexCount: number) {
-    this.pins = new Marks(ink, vertexCount, 'diamond', 'topmost');
+    this.pins = new Marks(ink, vertexCount, 'diamond', 'pin');
+    this.leashes = new Segments(ink, vertexCount, 'arrow');
     this.hovered = new Highlight(ink);
     this.selected = new Highlight(ink);
-    this.group.add(this.hovered.group, this.selected.group, this.pins.mesh);
+    this.group.add(this.hovered.group, this.selected.group, this.leashes.mesh, this.pins.mesh);
   }
 
   /** `spring`: how this view draws its springs. */
   setStyle(palette: Palette, strokes: Strokes, spring: SegmentStyle): void {
     const { background, pin } = palette;
     this.pins.setStyle({ radius: strokes.pin, halo: strokes.pinHalo, colour: pin, haloColour: background });
-    this.selected.setStyle(palette, strokes, spring, 3);
+    this.leashes.setStyle(leash);
+    this.leashes.fill(pin);
+    this.selected.setStyle(palette, strokes, { ...spring, width: spring.width + 1 }, 3);
     this.hovered.setStyle(palette, strokes, spring, 1.5);
   }
 
-  /**
-   * `segments` #E×8 and `points` #V×3 as drawn in this view; `pieces` #E×8 as in the local view, whose colours a spring keeps in
-   * both, so that one sees it is the same.
-   */
+  /** `segments` #E×8 and `points` #V×3 as drawn in this view. */
   update(
-    frame: Scene3DFrame,
+    { pinned, targets }: Scene3DFrame,
     segments: Float32Array,
-    pieces: Float32Array,
     points: Float64Array,
     selected: Highlighted,
     hovered: Highlighted,
   ): void {
-    this.pins.moveTo(frame.targets);
-    this.selected.update(segments, pieces, points, selected);
-    this.hovered.update(segments, pieces, points, hovered);
+    this.pins.moveTo(targets);
+    pinned.forEach((v, row) => {
+      for (let c = 0; c < 3; c++) {
+        this.leashes.data[segmentStride * row + c] = points[3 * v + c];
+        this.leashes.data[segmentStride * row + 4 + c] = targets[3 * row + c];
+      }
+    });
+    this.leashes.commit(pinned.length);
+    this.selected.update(segments, points, selected);
+    this.hovered.update(segments, points, hovered);
   }
 
   dispose(): void {
-    for (const part of [this.pins, this.selected, this.hovered]) part.dispose();
+    for (const part of [this.pins, this.leashes, this.selected, this.hovered]) part.dispose();
   }
 }
 
@@ -63,21 +74,25 @@ class Highlight {
   private readonly ring: Marks;
 
   constructor(ink: Ink) {
-    this.spring = new Segments(ink, 1, 'above');
-    this.ring = new Marks(ink, 1, 'ring', 'above');
+    this.spring = new Segments(ink, 1, 'highlight');
+    this.ring = new Marks(ink, 1, 'ring', 'highlight');
     this.group.add(this.spring.mesh, this.ring.mesh);
   }
 
-  setStyle({ selected, background }: Palette, strokes: Strokes, spring: SegmentStyle, weight: number): void {
-    this.spring.setStyle({ ...spring, width: Math.max(2.5, spring.width), halo: weight, haloColour: selected });
-    this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: 1, colour: selected, haloColour: background });
+  /** `weight`: CSS pixels of the glow. */
+  setStyle({ selected, glow }: Palette, strokes: Strokes, spring: SegmentStyle, weight: number): void {
+    this.spring.setStyle({ ...spring, halo: weight, haloColour: glow });
+    this.spring.fill(selected);
+    this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: weight, colour: selected, haloColour: glow });
   }
 
-  update(segments: Float32Array, pieces: Float32Array, points: Float64Array, { spring, vertex }: Highlighted): void {
+  update(segments: Float32Array, points: Float64Array, { spring, vertex }: Highlighted): void {
     this.spring.mesh.visible = spring !== null;
     if (spring !== null) {
-      this.spring.data.set(segments.subarray(segmentStride * spring, segmentStride * (spring + 1)));
-      this.spring.data[3] = pieces[segmentStride * spring + 3];
+      const { data } = this.spring;
+      const row = segmentStride * spring;
+      data.set(segments.subarray(row, row + 3));
+      data.set(segments.subarray(row + 4, row + 7), 4);
       this.spring.commit();
     }
     this.ring.mesh.visible = vertex !== null;

@@ -9,7 +9,9 @@ export interface Palette {
   /** What this half-step moved. */
   arrow: string;
   pin: string;
+  /** What is selected, or under the pointer, and the glow around it. */
   selected: string;
+  glow: string;
   /** The surface of scenes without a texture. */
   cloth: string;
   strain: StrainScale;
@@ -26,6 +28,7 @@ export const lightPalette: Palette = {
   arrow: '#009e73',
   pin: '#b0407f',
   selected: '#141a22',
+  glow: '#ffd60a',
   cloth: '#dfe7ee',
   strain: ['#0072b2', '#56b4e9', '#99a2ae', '#e69f00', '#d55e00'],
 };
@@ -38,6 +41,7 @@ export const darkPalette: Palette = {
   arrow: '#2ec79b',
   pin: '#e58fc0',
   selected: '#ffffff',
+  glow: '#b98900',
   cloth: '#8494a6',
   strain: ['#6cc5ff', '#4a94cb', '#7a8593', '#d9a032', '#ff8b3d'],
 };

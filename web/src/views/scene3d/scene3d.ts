@@ -1,5 +1,5 @@
-import { Vector2, WebGLRenderer } from 'three';
-import { framingOf } from './framing.ts';
+import { WebGLRenderer } from 'three';
+import { framingOfFall, framingOfNow } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
 import { type DrawnView, Interaction } from './interaction.ts';
 import { OrbitCamera } from './orbit_camera.ts';
@@ -34,11 +34,13 @@ export class Scene3D {
   private readonly interaction: Interaction;
   private readonly stop = new AbortController();
   private content: SceneContent | null = null;
-  /** Whether the camera has been set for this scene. */
-  private framed = false;
+  /** Whether the camera still has to be set for this scene, has been, or is the reader's. */
+  private framing: 'due' | 'done' | 'reader' = 'due';
   private staged: StagedFrame | null = null;
   private legend: Scene3DLegend | null = null;
   private viewports = new Viewports(null, null);
+  /** CSS pixels. Reading it from the canvas while drawing would make the browser lay out the page. */
+  private canvasSize = { width: 0, height: 0 };
   private options: Scene3DOptions = {
     exaggeration: 'automatic',
     showSprings: true,
@@ -56,19 +58,25 @@ export class Scene3D {
     if (!context) throw new NoWebGLError('This browser gives no WebGL 2 context.');
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.autoClear = false;
-    this.interaction = new Interaction(canvas, this.orbitCamera, (x, y) => this.viewAt(x, y), callbacks);
+    this.interaction = new Interaction(canvas, this.orbitCamera, (x, y) => this.viewAt(x, y), {
+      ...callbacks,
+      onCameraChange: (camera) => {
+        this.framing = 'reader';
+        callbacks.onCameraChange(camera);
+      },
+    });
     const { signal } = this.stop;
     canvas.addEventListener('webglcontextlost', () => callbacks.onContextLost(), { signal });
     canvas.addEventListener('webglcontextrestored', () => callbacks.onInvalidate(), { signal });
   }
 
-  /** Replaces the scene. Its first drawing brings all of it into view, unless `setCamera` comes first. */
+  /** Replaces the scene. Its first drawing brings all of it into view, with room to fall, unless `setCamera` comes first. */
   setScene(model: Scene3DModel): void {
     this.content?.dispose();
     this.content = new SceneContent(this.ink, model, () => this.callbacks.onInvalidate());
     this.interaction.hovered = null;
     this.orbitCamera.setScene(model.V);
-    this.framed = false;
+    this.framing = 'due';
     this.callbacks.onInvalidate();
   }
 
@@ -86,9 +94,15 @@ export class Scene3D {
     this.callbacks.onInvalidate();
   }
 
-  /** Where the views lie on the canvas; null hides one. To be called whenever the canvas changes its size, too. */
+  /**
+   * Where the views lie on the canvas; null hides one. To be called whenever the canvas changes its size, too.
+   * The scene is brought into view again, unless the reader has moved the camera.
+   */
   setViewports(local: Rectangle | null, global: Rectangle | null): void {
+    const before = this.viewports;
     this.viewports = new Viewports(local, global);
+    this.canvasSize = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    if (this.framing === 'done' && this.viewports.narrowestAspect !== before.narrowestAspect) this.framing = 'due';
     this.callbacks.onInvalidate();
   }
 
@@ -101,8 +115,10 @@ export class Scene3D {
     if (!drawn) return;
     const { content, staged } = drawn;
 
-    if (!this.framed) this.fitCamera(content, staged);
-    this.framed = true;
+    if (this.framing === 'due') {
+      this.orbitCamera.fit(framingOfFall(content.V, staged.frame.pinned), this.viewports.narrowestAspect);
+      this.framing = 'done';
+    }
     const { camera } = this.orbitCamera;
     const legend = content.refresh(
       staged,
@@ -117,7 +133,7 @@ export class Scene3D {
     this.renderer.setScissorTest(true);
     for (const { name, rectangle } of this.viewports.shown) {
       const { x, y, width, height } = rectangle;
-      const bottom = this.canvas.clientHeight - y - height;
+      const bottom = this.canvasSize.height - y - height;
       this.renderer.setViewport(x, bottom, width, height);
       this.renderer.setScissor(x, bottom, width, height);
       this.orbitCamera.setAspect(width / height);
@@ -132,14 +148,16 @@ export class Scene3D {
 
   setCamera(state: CameraState): void {
     this.orbitCamera.state = state;
-    this.framed = true;
+    this.framing = 'reader';
     this.callbacks.onInvalidate();
   }
 
-  /** Frames the whole scene. */
+  /** Brings into view where the vertices and pins are now. */
   fit(): void {
     const drawn = this.drawn();
-    if (drawn) this.interaction.moveCamera(() => this.fitCamera(drawn.content, drawn.staged));
+    if (!drawn) return;
+    const { p, targets } = drawn.staged.frame;
+    this.interaction.moveCamera((camera) => camera.fit(framingOfNow(p, targets), this.viewports.narrowestAspect));
   }
 
   /** Radians. */
@@ -177,18 +195,15 @@ export class Scene3D {
     return staged.frame.p.length === content.V.length ? { content, staged } : null;
   }
 
-  private fitCamera({ V }: SceneContent, { frame }: StagedFrame): void {
-    this.orbitCamera.fit(framingOf(V, frame.pinned), this.viewports.narrowestAspect);
-  }
-
   /** Just before drawing, or the canvas would be seen empty: changing its size clears it. */
   private followCanvasSize(): void {
-    const { clientWidth, clientHeight } = this.canvas;
+    const { width, height } = this.canvasSize;
     const pixelRatio = Math.min(window.devicePixelRatio, mostPixelRatio);
-    const { x, y } = this.renderer.getSize(new Vector2());
-    if (x === clientWidth && y === clientHeight && pixelRatio === this.renderer.getPixelRatio()) return;
+    const sized =
+      this.canvas.width === Math.floor(width * pixelRatio) && this.canvas.height === Math.floor(height * pixelRatio);
+    if (sized && pixelRatio === this.renderer.getPixelRatio()) return;
     this.renderer.setPixelRatio(pixelRatio);
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.renderer.setSize(width, height, false);
   }
 
   private prepareInk(content: SceneContent, { width, height }: Rectangle): void {

@@ -6,7 +6,7 @@ import { LegendScales } from './legend_scales.ts';
 import { LocalView } from './local_view.ts';
 import type { Palette } from './palette.ts';
 import type { Stage, StagedFrame } from './stages.ts';
-import { strokesFor } from './strokes.ts';
+import { type Strokes, strokesFor } from './strokes.ts';
 import type { Hit, Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
 /** Everything allocated for one scene. */
@@ -17,8 +17,10 @@ export class SceneContent {
   /** #V×3, metres. */
   readonly V: Float64Array;
   private readonly scales: LegendScales;
+  private strokes = strokesFor(0);
+  private springPixels = 0;
   /** What the large buffers hold. */
-  private shown: [Stage, Palette, boolean, boolean, Scene3DLegend] | null = null;
+  private shown: [Stage, Palette, Strokes, boolean, boolean, Scene3DLegend] | null = null;
 
   constructor(ink: Ink, model: Scene3DModel, onTexture: () => void) {
     this.views = { local: new LocalView(ink, model), global: new GlobalView(ink, model, onTexture) };
@@ -37,12 +39,13 @@ export class SceneContent {
   ): Scene3DLegend {
     const { local, global } = this.views;
     const { palette, showSprings, showSurface, selectedSpring, selectedVertex } = options;
-    const strokes = strokesFor(this.typicalRestLength * pixelsPerMetre);
+    const strokes = this.strokesAt(this.typicalRestLength * pixelsPerMetre);
     const legend = this.scales.choose(stage, options, pixelsPerMetre);
-    const wanted: NonNullable<typeof this.shown> = [stage, palette, showSprings, showSurface, legend];
+    const wanted: NonNullable<typeof this.shown> = [stage, palette, strokes, showSprings, showSurface, legend];
     if (!wanted.every((part, at) => part === this.shown?.[at])) {
-      local.update(frame.d, stage, palette, legend);
-      global.update(stage, palette, legend.globalExaggeration, { springs: showSprings, surface: showSurface });
+      local.update(stage, palette, strokes, legend);
+      const visible = { springs: showSprings, surface: showSurface };
+      global.update(stage, palette, strokes, legend.globalExaggeration, visible);
       this.shown = wanted;
     }
     const selected = { spring: selectedSpring, vertex: selectedVertex };
@@ -52,10 +55,17 @@ export class SceneContent {
     };
     for (const view of [local, global]) {
       view.setStyle(palette, strokes);
-      view.overlay.update(frame, view.segments.data, local.segments.data, view.points, selected, pointedAt);
+      view.overlay.update(frame, view.segments.data, view.points, selected, pointedAt);
     }
     global.lightFrom(eye);
     return legend;
+  }
+
+  /** The same object as before while the camera keeps its distance. */
+  private strokesAt(springPixels: number): Strokes {
+    if (springPixels !== this.springPixels) this.strokes = strokesFor(springPixels);
+    this.springPixels = springPixels;
+    return this.strokes;
   }
 
   dispose(): void {

@@ -10,15 +10,19 @@ export interface SegmentStyle {
   dot?: number;
   /** Length of an arrow head at the end. */
   head?: number;
-  /** How far a zigzag swings aside of a straight line. */
-  swing?: number;
+  /** Whether line and dots keep within the ends, so that a short gap between two segments is not closed by their thickness. */
+  within?: boolean;
+  /** Length of dashes and of the gaps between them. */
+  dash?: number;
+  /** A segment that appears shorter than this is not drawn. */
+  shortest?: number;
   halo?: number;
   haloColour?: string;
   /** How much of what lies behind it is covered, 0 … 1; all unless given. */
   presence?: number;
 }
 
-/** Line segments of a width in pixels with round ends, dots or arrow heads. */
+/** Line segments of a width in pixels, whole or dashed, with round ends, dots or arrow heads. */
 export class Segments extends InkQuads {
   private readonly uniforms;
 
@@ -27,7 +31,9 @@ export class Segments extends InkQuads {
       width: { value: 1 },
       dotRadius: { value: 0 },
       head: { value: 0 },
-      swing: { value: 0 },
+      inset: { value: 0 },
+      dash: { value: 0 },
+      shortest: { value: 0 },
       presence: { value: 1 },
       halo: { value: 0 },
       haloColour: { value: new Color() },
@@ -36,11 +42,24 @@ export class Segments extends InkQuads {
     this.uniforms = uniforms;
   }
 
-  setStyle({ width, dot = 0, head = 0, swing = 0, halo = 0, haloColour, presence = 1 }: SegmentStyle): void {
+  setStyle(style: SegmentStyle): void {
+    const {
+      width,
+      dot = 0,
+      head = 0,
+      within = false,
+      dash = 0,
+      shortest = 0,
+      halo = 0,
+      haloColour,
+      presence = 1,
+    } = style;
     this.uniforms.width.value = width;
     this.uniforms.dotRadius.value = dot;
     this.uniforms.head.value = head;
-    this.uniforms.swing.value = swing;
+    this.uniforms.inset.value = within ? Math.max(dot, width / 2) : 0;
+    this.uniforms.dash.value = dash;
+    this.uniforms.shortest.value = shortest;
     this.uniforms.halo.value = halo;
     this.uniforms.presence.value = presence;
     if (haloColour) setInkColour(this.uniforms.haloColour.value, haloColour);
@@ -57,7 +76,7 @@ const vertexMain = /* glsl */ `
   uniform float width;
   uniform float dotRadius;
   uniform float head;
-  uniform float swing;
+  uniform float shortest;
   varying vec2 point;
   varying float extent;
   varying vec3 strokeColour;
@@ -75,8 +94,8 @@ const vertexMain = /* glsl */ `
     vec2 to = toPixels(b);
     extent = distance(from, to);
     vec2 direction = extent > 0.0 ? (to - from) / extent : vec2(1.0, 0.0);
-    if (head > 0.0 && extent < 2.0 * pixelRatio) { hide(); return; }
-    float margin = (max(max(0.5 * width + swing, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
+    if (extent < shortest * pixelRatio) { hide(); return; }
+    float margin = (max(max(0.5 * width, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
     bool atStart = corner().x < 0.0;
     point = vec2(atStart ? -margin : extent + margin, corner().y * margin);
     int packed = int(start.w);
@@ -89,35 +108,11 @@ const fragmentMain = /* glsl */ `
   uniform float width;
   uniform float dotRadius;
   uniform float head;
-  uniform float swing;
+  uniform float inset;
+  uniform float dash;
   varying vec2 point;
   varying float extent;
   varying vec3 strokeColour;
-
-  const float bends = 8.0;
-
-  vec2 zigzagNode(float index) {
-    float at = clamp((index - 0.5) / bends, 0.0, 1.0);
-    bool bent = index > 0.0 && index < bends + 1.0;
-    float side = mod(index, 2.0) < 0.5 ? 1.0 : -1.0;
-    float aside = min(swing * pixelRatio, 0.12 * extent); // seen from its end, a spring is not a scribble
-    return vec2(mix(0.16, 0.84, at) * extent, bent ? side * aside : 0.0);
-  }
-
-  float toSegment(vec2 a, vec2 b) {
-    vec2 ab = b - a;
-    return length(point - a - clamp(dot(point - a, ab) / dot(ab, ab), 0.0, 1.0) * ab);
-  }
-
-  float zigzag() {
-    float index = clamp(floor((point.x / extent - 0.16) / 0.68 * bends + 0.5), 0.0, bends);
-    float nearest = min(toSegment(vec2(0.0), zigzagNode(0.0)), toSegment(zigzagNode(bends + 1.0), vec2(extent, 0.0)));
-    for (float step = -1.0; step <= 1.0; step++) {
-      float from = clamp(index + step, 0.0, bends);
-      nearest = min(nearest, toSegment(zigzagNode(from), zigzagNode(from + 1.0)));
-    }
-    return nearest;
-  }
 
   float arrowHead(float headLength) {
     float halfWidth = 0.42 * headLength;
@@ -127,10 +122,12 @@ const fragmentMain = /* glsl */ `
 
   void main() {
     float headLength = min(head * pixelRatio, extent);
-    float shaft = extent - headLength;
-    float line = swing > 0.0 ? zigzag() : length(vec2(point.x - clamp(point.x, 0.0, shaft), point.y));
-    float shape = line - 0.5 * width * pixelRatio;
-    float dots = min(length(point), length(point - vec2(extent, 0.0))) - dotRadius * pixelRatio;
+    float from = min(inset * pixelRatio, 0.5 * extent);
+    float to = extent - max(headLength, from);
+    float shape = length(vec2(point.x - clamp(point.x, from, to), point.y)) - 0.5 * width * pixelRatio;
+    float dashLength = dash * pixelRatio;
+    if (dash > 0.0) shape = max(shape, abs(mod(point.x, 2.0 * dashLength) - 0.5 * dashLength) - 0.5 * dashLength);
+    float dots = min(length(point - vec2(from, 0.0)), length(point - vec2(to, 0.0))) - dotRadius * pixelRatio;
     if (dotRadius > 0.0) shape = min(shape, dots);
     if (head > 0.0) shape = min(shape, arrowHead(headLength));
     paint(shape, strokeColour);

@@ -59,10 +59,15 @@ export function pieceSegments(
   }
 }
 
-/** (l − r)/r of spring e, dimensionless: infinite when only its rest length is zero. */
-export function springStrain(p: Float64Array, E: Int32Array, r: Float64Array, e: number): number {
+/** Metres: l of spring e. */
+export function springLength(p: Float64Array, E: Int32Array, e: number): number {
   const i = 3 * E[2 * e];
   const j = 3 * E[2 * e + 1];
-  const l = Math.sqrt((p[i] - p[j]) ** 2 + (p[i + 1] - p[j + 1]) ** 2 + (p[i + 2] - p[j + 2]) ** 2);
+  return Math.sqrt((p[i] - p[j]) ** 2 + (p[i + 1] - p[j + 1]) ** 2 + (p[i + 2] - p[j + 2]) ** 2);
+}
+
+/** (l − r)/r of spring e, dimensionless: infinite when only its rest length is zero. */
+export function springStrain(p: Float64Array, E: Int32Array, r: Float64Array, e: number): number {
+  const l = springLength(p, E, e);
   return l === r[e] ? 0 : l / r[e] - 1;
 }

@@ -13,12 +13,14 @@ export function strainColour(strain: number, range: number, scale: StrainScale):
 
 const half = 127;
 
-/** `strainColour` of every spring of a large scene, once a frame. */
+/** `strainColour`, for every spring of a large scene once a frame. */
 export class StrainColourTable {
+  readonly scale: StrainScale;
   /** 2·half+1 packed colours, from strain −range to +range. */
   private readonly packed: number[];
 
   constructor(scale: StrainScale) {
+    this.scale = scale;
     this.packed = Array.from({ length: 2 * half + 1 }, (_, row) => packColour(strainColour(row - half, half, scale)));
   }
 

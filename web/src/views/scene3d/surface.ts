@@ -8,7 +8,7 @@ import {
   SRGBColorSpace,
   TextureLoader,
 } from 'three';
-import { surfaceCorners, vertexNormals } from './surface_geometry.ts';
+import { surfaceCorners, takeRows, vertexNormals } from './surface_geometry.ts';
 import type { Scene3DModel } from './types.ts';
 
 /** The cloth: both sides, soft light, normals recomputed from the net each frame. */
@@ -17,6 +17,7 @@ export class Surface {
   /** #F×3. */
   private readonly F: Uint32Array;
   private readonly corners: Int32Array;
+  /** #corners×3. */
   private readonly positions: BufferAttribute;
   private readonly normals: BufferAttribute;
   /** #V×3. */
@@ -47,20 +48,12 @@ export class Surface {
     if (model.texture) this.loadTexture(model.texture.url, onTexture);
   }
 
-  /** "#rrggbb": the colour of a cloth whose texture is missing or still on its way. */
-  set colour(hex: string) {
-    this.mesh.material.color.set(this.mesh.material.map ? '#ffffff' : hex);
-  }
-
-  /** `p`: #V×3, metres. */
-  update(p: Float64Array): void {
+  /** `p`: #V×3, metres; `colour` ("#rrggbb"): while the texture is missing or still on its way. */
+  update(p: Float64Array, colour: string): void {
+    this.mesh.material.color.set(this.mesh.material.map ? '#ffffff' : colour);
     vertexNormals(p, this.F, this.netNormals);
-    this.corners.forEach((vertex, corner) => {
-      for (let c = 0; c < 3; c++) {
-        this.positions.array[3 * corner + c] = p[3 * vertex + c];
-        this.normals.array[3 * corner + c] = this.netNormals[3 * vertex + c];
-      }
-    });
+    takeRows(p, this.corners, this.positions.array);
+    takeRows(this.netNormals, this.corners, this.normals.array);
     this.positions.needsUpdate = true;
     this.normals.needsUpdate = true;
   }
@@ -74,7 +67,7 @@ export class Surface {
   private loadTexture(url: string, onTexture: () => void): void {
     new TextureLoader().load(url, (texture) => {
       texture.colorSpace = SRGBColorSpace;
-      texture.anisotropy = 8; // keeps a slanted weave from blurring;
+      texture.anisotropy = 8; // keeps a slanted weave from blurring
       this.mesh.material.map = texture;
       this.mesh.material.color.set('#ffffff');
       this.mesh.material.needsUpdate = true;

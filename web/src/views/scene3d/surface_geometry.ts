@@ -50,3 +50,13 @@ export function vertexNormals(p: Float64Array, F: Uint32Array, out: Float32Array
     if (length > 0) for (let c = 0; c < 3; c++) out[v + c] /= length;
   }
 }
+
+/** Writes the chosen rows of `from` (#×3), one after the other, to `out` (#rows×3). */
+export function takeRows(from: ArrayLike<number>, rows: Int32Array, out: { [at: number]: number }): void {
+  for (let to = 0; to < rows.length; to++) {
+    const at = 3 * rows[to];
+    out[3 * to] = from[at];
+    out[3 * to + 1] = from[at + 1];
+    out[3 * to + 2] = from[at + 2];
+  }
+}

@@ -28,8 +28,10 @@ export interface Scene3DOptions {
 
 /** What "automatic" came to: the legend says it. */
 export interface Scene3DLegend {
-  localExaggeration: number;
-  globalExaggeration: number;
+  /** Factor on the gaps of the local view; null while no spring is torn (at predict). */
+  localExaggeration: number | null;
+  /** Factor on what the global view's arrows and ghost show; null while nothing moves (at local and accept). */
+  globalExaggeration: number | null;
   strainRange: number;
 }
 
