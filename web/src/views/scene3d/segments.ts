@@ -25,6 +25,7 @@ export interface SegmentStyle {
 /** Line segments of a width in pixels, whole or dashed, with round ends, dots or arrow heads. */
 export class Segments extends InkQuads {
   private readonly uniforms;
+  private filled: string | null = null;
 
   constructor(ink: Ink, capacity: number, layer: Layer) {
     const uniforms = {
@@ -65,8 +66,10 @@ export class Segments extends InkQuads {
     if (haloColour) setInkColour(this.uniforms.haloColour.value, haloColour);
   }
 
-  /** One colour for all of them. */
+  /** One colour for all of them; nothing else may write colours then. */
   fill(hex: string): void {
+    if (hex === this.filled) return;
+    this.filled = hex;
     const colour = packColour(parseColour(hex));
     for (let at = 3; at < this.data.length; at += segmentStride) this.data[at] = colour;
   }
