@@ -1,0 +1,130 @@
+#include "block_solver.h"
+
+#include <doctest/doctest.h>
+
+#include "elimination_order.h"
+#include "numeric_cholesky.h"
+#include "random_scene.h"
+
+namespace mass_spring {
+namespace {
+
+/// Q of a graph with unit couplings, in the order of elimination.
+struct TestSystem {
+  SymbolicCholesky symbolic;
+  Vector diagonal;  // #columns
+  DenseMatrix Q;    // #columns by #columns
+
+  explicit TestSystem(const TestScene& scene) {
+    const int n = static_cast<int>(scene.V.rows());
+    std::vector<std::array<int, 2>> edges;
+    for (const auto& edge : scene.step.E.rowwise()) edges.push_back({edge(0), edge(1)});
+    const Graph graph = graph_from_edges(n, edges);
+    symbolic = symbolic_cholesky(graph, elimination_order(scene.V, graph));
+    Eigen::MatrixXd adjacency = Eigen::MatrixXd::Zero(n, n);
+    for (const auto& [i, j] : edges) adjacency(i, j) = adjacency(j, i) = 1;
+    Q = -adjacency(symbolic.order, symbolic.order);
+    diagonal = 0.1 - Q.rowwise().sum().array();
+    Q.diagonal() = diagonal;
+  }
+};
+
+/// Sparse, dense, in pieces, without any spring; larger than a panel is wide; of one vertex.
+std::vector<TestSystem> systems() {
+  std::vector<TestSystem> systems;
+  for (const auto& [vertices, springs] :
+       {std::pair{1, 0}, {7, 0}, {40, 30}, {60, 110}, {50, 600}, {150, 11175}}) {
+    systems.emplace_back(random_scene(vertices, springs, 0, 11));
+  }
+  systems.emplace_back(flag(20, 9, 1));
+  return systems;
+}
+
+bool go_on(double) { return true; }
+
+}  // namespace
+
+TEST_CASE("the panels hold L with P Q P' = L L'") {
+  for (const TestSystem& system : systems()) {
+    std::vector<double> values;
+    REQUIRE(numeric_cholesky(system.symbolic, 1, system.diagonal, go_on, values) ==
+            Factorisation::done);
+    DenseMatrix L = DenseMatrix::Zero(system.Q.rows(), system.Q.cols());
+    for (const Supernode& node : system.symbolic.supernodes) {
+      const double* value = values.data() + node.panel;
+      for (int i = 0; i < node.width + node.height; ++i) {
+        const int row = i < node.width ? node.first_column + i
+                                       : system.symbolic.rows[node.rows + i - node.width];
+        for (int c = 0; c < node.width; ++c, ++value) {
+          if (c <= i) L(row, node.first_column + c) = *value;
+        }
+      }
+    }
+    // Entries of at most 150, each with a few roundings.
+    CHECK((L * L.transpose() - system.Q).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK((L.array() != 0).count() <= system.symbolic.nonzeros);
+  }
+}
+
+TEST_CASE("(P Q P') x = b is solved") {
+  for (const TestSystem& system : systems()) {
+    const int n = static_cast<int>(system.Q.rows());
+    BlockSolver solver;
+    REQUIRE(solver.factorise(system.symbolic, 1, system.diagonal, go_on) == Factorisation::done);
+    const Points b = random_points(n, 13);
+    WidePoints x(n + 1);
+    for (int i = 0; i < n; ++i) x[i] = {Pair{b(i, 0), b(i, 1)}, Pair{b(i, 2), 0}};
+    x[n] = {both(5), both(6)};
+    solver.solve(system.symbolic, x);
+    Points solution(n, 3);
+    for (int i = 0; i < n; ++i) solution.row(i) << x[i].xy[0], x[i].xy[1], x[i].z0[0];
+    // Q's condition is below 3000, b of size 1.
+    CHECK((system.Q * solution - b).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(x[n].xy[0] == 5);
+    for (const WidePoint& point : x) CHECK(point.z0[1] == (&point == &x[n] ? 6 : 0));
+  }
+}
+
+TEST_CASE("of no columns there is nothing to solve") {
+  const Graph graph;
+  const SymbolicCholesky symbolic =
+      symbolic_cholesky(graph, elimination_order(Points(0, 3), graph));
+  BlockSolver solver;
+  CHECK(solver.factorise(symbolic, 1, Vector(), go_on) == Factorisation::done);
+  WidePoints x;
+  solver.solve(symbolic, x);
+  CHECK(symbolic.nonzeros == 0);
+}
+
+TEST_CASE("what is not positive definite is refused") {
+  TestSystem system(flag(4, 4, 1));
+  BlockSolver solver;
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
+    system.diagonal(9) = bad;
+    CHECK(solver.factorise(system.symbolic, 1, system.diagonal, go_on) ==
+          Factorisation::not_positive_definite);
+  }
+}
+
+TEST_CASE("a factorisation tells how far it is, and can be cancelled") {
+  // Long enough for several reports.
+  const TestSystem system(random_scene(600, 30000, 0, 17));
+  std::vector<double> fractions;
+  BlockSolver solver;
+  CHECK(solver.factorise(system.symbolic, 1, system.diagonal, [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  }) == Factorisation::done);
+  REQUIRE(fractions.size() >= 2);
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.front() > 0);
+  CHECK(fractions.back() <= 1);
+  int calls = 0;
+  CHECK(solver.factorise(system.symbolic, 1, system.diagonal, [&](double) {
+    ++calls;
+    return false;
+  }) == Factorisation::cancelled);
+  CHECK(calls == 1);
+}
+
+}  // namespace mass_spring

@@ -1,0 +1,131 @@
+#include "block_solver.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "dot.h"
+
+namespace mass_spring {
+namespace {
+
+constexpr int strip_width = 4;
+
+/// Calls do_strip(first column, width) with the width as a type, so that its loop has a fixed
+/// length.
+template <typename DoStrip>
+void for_each_strip(int columns, DoStrip do_strip) {
+  int c = 0;
+  for (; c + strip_width <= columns; c += strip_width) {
+    do_strip(c, std::integral_constant<int, strip_width>());
+  }
+  switch (columns - c) {
+    case 1:
+      return do_strip(c, std::integral_constant<int, 1>());
+    case 2:
+      return do_strip(c, std::integral_constant<int, 2>());
+    case 3:
+      return do_strip(c, std::integral_constant<int, 3>());
+  }
+}
+
+/// x_R ← x_R + G x_C.
+/// @param G  height by Width
+template <int Width>
+void add_product(const double* G, int height, const int* rows, const WidePoint* x_C, WidePoint* x) {
+  WidePoint kept[Width];
+  for (int c = 0; c < Width; ++c) kept[c] = x_C[c];
+  for (int i = 0; i < height; ++i) {
+    WidePoint sum = x[rows[i]];
+    for (int c = 0; c < Width; ++c) sum += G[i * Width + c] * kept[c];
+    x[rows[i]] = sum;
+  }
+}
+
+/// x_C ← Bᵀ z.
+/// @param B  height by Width
+template <int Width>
+void transposed_product(const double* B, int height, const WidePoint* z, WidePoint* x_C) {
+  WidePoint sums[Width];
+  for (int i = 0; i < height; ++i) {
+    const WidePoint z_i = z[i];
+    for (int c = 0; c < Width; ++c) sums[c] += B[i * Width + c] * z_i;
+  }
+  for (int c = 0; c < Width; ++c) x_C[c] = sums[c];
+}
+
+/// From [L_CC; L_RC], row-major, to [D; G] in strips.
+class PanelInversion {
+ public:
+  void invert(const Supernode& node, double* panel) {
+    const int width = node.width, length = node.width + node.height;
+    L_.assign(panel, panel + static_cast<std::int64_t>(length) * width);
+    invert_triangle(width);
+    // D = T Tᵀ and G = -L_RC Tᵀ with T = L_CC⁻ᵀ, whose rows are zero left of the diagonal.
+    for_each_strip(width, [&](int first, auto strip) {
+      double* entry = panel + static_cast<std::int64_t>(first) * length;
+      for (int i = 0; i < length; ++i) {
+        for (int c = first; c < first + strip; ++c, ++entry) {
+          const int begin = i < width ? std::max(i, c) : c;
+          const double* T_c = &T_[c * width];
+          *entry = i < width ? dot(&T_[i * width + begin], T_c + begin, width - begin)
+                             : -dot(&L_[i * width + begin], T_c + begin, width - begin);
+        }
+      }
+    });
+  }
+
+ private:
+  /// Column by column of L_CC⁻¹: L_CC (row c of T)ᵀ = unit vector c.
+  void invert_triangle(int width) {
+    T_.assign(width * width, 0);
+    for (int c = 0; c < width; ++c) {
+      double* T_c = &T_[c * width];
+      T_c[c] = 1 / L_[c * width + c];
+      for (int i = c + 1; i < width; ++i) {
+        T_c[i] = -dot(&L_[i * width + c], T_c + c, i - c) / L_[i * width + i];
+      }
+    }
+  }
+
+  std::vector<double> L_;  // length by width
+  std::vector<double> T_;  // width by width
+};
+
+}  // namespace
+
+Factorisation BlockSolver::factorise(const SymbolicCholesky& symbolic, double coupling,
+                                     const Vector& diagonal, const Progress& progress) {
+  const Factorisation outcome = numeric_cholesky(symbolic, coupling, diagonal, progress, panels_);
+  if (outcome != Factorisation::done) return outcome;
+  PanelInversion inversion;
+  for (const Supernode& node : symbolic.supernodes) {
+    inversion.invert(node, panels_.data() + node.panel);
+  }
+  gathered_.resize(symbolic.largest_panel);
+  return outcome;
+}
+
+void BlockSolver::solve(const SymbolicCholesky& symbolic, WidePoints& x) {
+  for (const Supernode& node : symbolic.supernodes) {
+    const double* panel = panels_.data() + node.panel;
+    const int* rows = symbolic.rows.data() + node.rows;
+    const int length = node.width + node.height;
+    for_each_strip(node.width, [&](int first, auto strip) {
+      const double* G = panel + first * length + node.width * strip;
+      add_product<strip>(G, node.height, rows, &x[node.first_column + first], x.data());
+    });
+  }
+  for (auto node = symbolic.supernodes.rbegin(); node != symbolic.supernodes.rend(); ++node) {
+    const double* panel = panels_.data() + node->panel;
+    const int* rows = symbolic.rows.data() + node->rows;
+    const int length = node->width + node->height;
+    WidePoint* x_C = &x[node->first_column];
+    std::copy(x_C, x_C + node->width, gathered_.begin());
+    for (int i = 0; i < node->height; ++i) gathered_[node->width + i] = x[rows[i]];
+    for_each_strip(node->width, [&](int first, auto strip) {
+      transposed_product<strip>(panel + first * length, length, gathered_.data(), x_C + first);
+    });
+  }
+}
+
+}  // namespace mass_spring

@@ -1,0 +1,130 @@
+#include "fast_system.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "inertial_prediction.h"
+
+namespace mass_spring {
+
+void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const Indices& pinned) {
+  solver_ = {};  // its memory may be needed for the next
+  const int n = static_cast<int>(V.rows());
+  free_count_ = n - static_cast<int>(pinned.size());
+  row_.assign(n, 0);
+  for (int c = 0; c < pinned.size(); ++c) row_[pinned(c)] = free_count_ + c;
+  std::vector<int> unpinned;  // vertices, in the order of the scene
+  for (int i = 0; i < n; ++i) {
+    if (row_[i] >= free_count_) continue;
+    row_[i] = static_cast<int>(unpinned.size());
+    unpinned.push_back(i);
+  }
+
+  std::vector<std::array<int, 2>> edges;
+  for (int e = 0; e < E.rows(); ++e) {
+    const int i = row_[E(e, 0)], j = row_[E(e, 1)];
+    if (std::max(i, j) < free_count_) edges.push_back({i, j});
+  }
+  const Graph graph = graph_from_edges(free_count_, edges);
+  const Points unpinned_V = V(unpinned, Eigen::all);
+  pattern_ = symbolic_cholesky(graph, elimination_order(unpinned_V, graph));
+  for (int i = 0; i < free_count_; ++i) row_[unpinned[pattern_.order[i]]] = i;
+
+  springs_.clear();
+  held_springs_.clear();
+  for (int e = 0; e < E.rows(); ++e) {
+    const int i = row_[E(e, 0)], j = row_[E(e, 1)];
+    const auto [first, last] = std::minmax(i, j);
+    springs_.push_back({first, last, r(e), i < j ? 1.0 : -1.0});
+    if (first < free_count_ && last >= free_count_) held_springs_.push_back({first, last});
+  }
+  // What is near in memory is used at nearly the same time.
+  std::sort(springs_.begin(), springs_.end(), [](const RowSpring& a, const RowSpring& b) {
+    return std::tie(a.i, a.j) < std::tie(b.i, b.j);
+  });
+}
+
+Factorisation FastSystem::factorise(double k, const Vector& m, double delta_t,
+                                    const Progress& progress) {
+  k_ = k;
+  inertia_.resize(m.size());
+  for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (delta_t * delta_t);
+  Vector diagonal = inertia_.head(free_count_);
+  for (const RowSpring& spring : springs_) {
+    for (const int row : {spring.i, spring.j}) {
+      if (row < free_count_) diagonal(row) += k;
+    }
+  }
+  return solver_.factorise(pattern_, k, diagonal, progress);
+}
+
+// With s = 2p^t - p^{t-Δt} + f^ext Δt²/m, the inertial prediction, inertia and external energy of a
+// vertex are m/(2Δt²)|p - s|² up to what does not depend on p.
+void FastSystem::begin(const TimeStep& step) {
+  const Points s = inertial_prediction(step);  // #V by 3, m
+  inertial_ = rows_from_points(s);
+  objective_offset_ = 0;
+  const Vector inertia = step.m / (step.delta_t * step.delta_t);  // #V, N/m
+  for (int i = 0; i < s.rows(); ++i) {
+    const Eigen::RowVector3d carried = step.f_ext.row(i) / inertia(i);  // m
+    objective_offset_ -= step.f_ext.row(i).dot(s.row(i) - 0.5 * carried);
+  }
+  for (int c = 0; c < step.pinned.size(); ++c) {
+    const int i = step.pinned(c);
+    objective_offset_ += 0.5 * inertia(i) * (step.targets.row(c) - s.row(i)).squaredNorm();
+    const auto target = step.targets.row(c);
+    inertial_[free_count_ + c] = {Pair{target(0), target(1)}, Pair{target(2), 0}};
+  }
+}
+
+WidePoints FastSystem::rows_from_points(const Points& p) const {
+  WidePoints rows(p.rows());
+  for (int i = 0; i < p.rows(); ++i) {
+    rows[row_[i]] = {Pair{p(i, 0), p(i, 1)}, Pair{p(i, 2), 0}};
+  }
+  return rows;
+}
+
+void FastSystem::points_from_rows(const WidePoints& rows, Points& p) const {
+  p.resize(rows.size(), 3);
+  for (int i = 0; i < p.rows(); ++i) {
+    const WidePoint& point = rows[row_[i]];
+    p.row(i) << point.xy[0], point.xy[1], point.z0[0];
+  }
+}
+
+void FastSystem::hold_pins(WidePoints& p) const {
+  std::copy(inertial_.begin() + free_count_, inertial_.end(), p.begin() + free_count_);
+}
+
+// ∂E/∂p = M/Δt² (p - s) + k Aᵀ(A p - d(p))
+double FastSystem::gradient(const WidePoints& p, WidePoints& g) const {
+  g.resize(p.size());
+  Pair inertia = both(0);  // J
+  for (int i = 0; i < free_count_; ++i) {
+    const WidePoint away = p[i] - inertial_[i];
+    g[i] = inertia_(i) * away;
+    inertia += half_products(g[i], away);
+  }
+  std::fill(g.begin() + free_count_, g.end(), WidePoint());
+  return 0.5 * sum(inertia) + add_elastic_gradient(springs_, k_, p, g);
+}
+
+void FastSystem::apply_inverse(WidePoints& g) { solver_.solve(pattern_, g); }
+
+void FastSystem::iterate(WidePoints& p, int iterations) {
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    gradient(p, g_);
+    // The local step saw the pins where they were, the global step has them where they are held:
+    // in A p, not in d.
+    for (const auto& [free, pinned] : held_springs_) {
+      g_[free] += k_ * (p[pinned] - inertial_[pinned]);
+    }
+    hold_pins(p);
+    apply_inverse(g_);
+    for (int i = 0; i < free_count_; ++i) p[i] -= g_[i];
+  }
+}
+
+}  // namespace mass_spring

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "block_solver.h"
+#include "elastic_gradient.h"
+#include "symbolic_cholesky.h"
+#include "time_step.h"
+#include "types.h"
+#include "wide_point.h"
+
+namespace mass_spring {
+
+/// The time step of fast_mass_springs_step, arranged for speed. Three things differ:
+///  - pinned vertices are exactly where they are held and no unknowns, so w does not occur and Q is
+///    that of the free vertices;
+///  - positions are kept in rows of their own: the free vertices in the order of elimination, then
+///    the pinned ones;
+///  - the iteration reads p ← p - Q⁻¹∇E(p), which is Q p = b without the cancellation.
+/// Calls in this order, each as often as what it is given changes: analyse, factorise, begin; then
+/// the rest. Equal input gives equal bits, on every machine.
+class FastSystem {
+ public:
+  /// Orders the vertices and finds the pattern of L.
+  /// @param V       #V by 3, m: rest positions
+  /// @param E       #E by 2
+  /// @param r       #E, m: rest lengths
+  /// @param pinned  #pinned
+  void analyse(const Points& V, const Edges& E, const Vector& r, const Indices& pinned);
+
+  /// Known after analyse(), before any of it is computed or allocated: non-zeros of L, and the
+  /// bytes that keeping its panels takes.
+  std::int64_t nonzeros() const { return pattern_.nonzeros; }
+  std::int64_t bytes() const { return pattern_.values * std::int64_t{sizeof(double)}; }
+
+  /// After anything but `done` there is no factor until the next call.
+  /// @param k        N/m
+  /// @param m        #V, kg
+  /// @param delta_t  s
+  Factorisation factorise(double k, const Vector& m, double delta_t, const Progress& progress);
+
+  /// Takes the known positions, forces and targets of a time step; its other fields must be those
+  /// of analyse() and factorise().
+  void begin(const TimeStep& step);
+
+  /// @param p  #V by 3, m (or anything else of three numbers a vertex)
+  WidePoints rows_from_points(const Points& p) const;
+  /// @param rows  #V
+  /// @param p     #V by 3 (result)
+  void points_from_rows(const WidePoints& rows, Points& p) const;
+
+  /// Moves the pinned vertices of p to their targets.
+  void hold_pins(WidePoints& p) const;
+
+  /// @param p  #V rows, m
+  /// @param g  #V rows, N: ∂E/∂p; in rows of pinned vertices, what the springs pull at them
+  /// (result)
+  /// @return  E(p) - objective_offset(), J
+  double gradient(const WidePoints& p, WidePoints& g) const;
+
+  /// J: what is the same for all p of the time step. Left out of E(p) so that small decreases
+  /// are not rounded away; its sum with gradient() is objective() at p.
+  double objective_offset() const { return objective_offset_; }
+
+  /// g ← Q⁻¹g for the rows of free vertices.
+  void apply_inverse(WidePoints& g);
+
+  /// Local and global step in turn, `iterations` times. Pinned vertices may start anywhere: as in
+  /// fast_mass_springs_step the first global step puts them where they are held.
+  void iterate(WidePoints& p, int iterations);
+
+ private:
+  std::vector<int> row_;                          // #V: the row of every vertex
+  int free_count_ = 0;                            // rows of free vertices
+  std::vector<RowSpring> springs_;                // #E, by rows
+  std::vector<std::array<int, 2>> held_springs_;  // rows of a free and a pinned vertex
+  SymbolicCholesky pattern_;
+  BlockSolver solver_;
+  double k_ = 0;                 // N/m
+  Vector inertia_;               // #V, by rows, N/m: m/Δt²
+  WidePoints inertial_;          // #V rows, m: where vertices go without springs, or are held
+  double objective_offset_ = 0;  // J
+  WidePoints g_;                 // #V rows, N: scratch
+};
+
+}  // namespace mass_spring

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "symbolic_cholesky.h"
+#include "types.h"
+
+namespace mass_spring {
+
+/// Told which fraction of the work is done, answers whether to go on.
+using Progress = std::function<bool(double fraction)>;
+
+enum class Factorisation { done, not_positive_definite, cancelled };
+
+/// The values of L, P Q Pᵀ = L Lᵀ.
+/// @param coupling  N/m: the entries of Q off its diagonal are -coupling where an edge is
+/// @param diagonal  #columns, N/m: of P Q Pᵀ
+/// @param values    of every panel, row-major; what lies above the diagonal means nothing (result)
+Factorisation numeric_cholesky(const SymbolicCholesky& symbolic, double coupling,
+                               const Vector& diagonal, const Progress& progress,
+                               std::vector<double>& values);
+
+}  // namespace mass_spring
