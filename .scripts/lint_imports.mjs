@@ -36,6 +36,8 @@ function violation(importer, specifier) {
   if (!specifier.startsWith('.') || imported.startsWith('..')) return undefined; // a package, or data outside the sources
   const from = place(importer);
   const to = place(imported);
+  if (!/\.tsx?$/.test(specifier)) return undefined; // a style sheet
+  if (from.row < 0 || to.row < 0) return 'belongs to no layer';
   return from.name === to.name || to.row < from.row ? undefined : `${from.name} may not import ${to.name}`;
 }
 

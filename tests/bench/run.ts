@@ -4,7 +4,7 @@ import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { loadSolver } from '../../web/headless/load_solver.ts';
 import { runScene } from '../../web/headless/run_scene.ts';
-import { sceneParameters } from '../../web/src/app/state.ts';
+import { sceneParameters } from '../../web/src/solver/scene_parameters.ts';
 import { openScene } from '../support/open_scene.ts';
 import { buildReference, runReference } from './native_reference.ts';
 

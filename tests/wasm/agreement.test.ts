@@ -1,8 +1,8 @@
 import { beforeAll, expect, test } from 'vitest';
 import { loadSolver } from '../../web/headless/load_solver.ts';
 import { runScene } from '../../web/headless/run_scene.ts';
-import { sceneParameters } from '../../web/src/app/state.ts';
 import type { Scene } from '../../web/src/scene/scene.ts';
+import { sceneParameters } from '../../web/src/solver/scene_parameters.ts';
 import { buildReference, runReference } from '../bench/native_reference.ts';
 import { openScene } from '../support/open_scene.ts';
 

@@ -1,6 +1,7 @@
 import { basename, dirname } from 'node:path';
 import { loadScene } from '../src/scene/load_scene.ts';
 import { describeSceneError, isSceneError } from '../src/scene/scene_error.ts';
+import { sceneParameters } from '../src/solver/scene_parameters.ts';
 import { folderSource } from './folder_source.ts';
 import { loadSolver } from './load_solver.ts';
 import { type Arguments, help, parseArguments } from './parse_arguments.ts';
@@ -21,8 +22,7 @@ async function simulate({ scene: path, steps, overrides, storage, format }: Argu
   const scene = await loadScene(basename(path), folderSource(dirname(path)));
   if (isSceneError(scene)) throw new UsageError(describeSceneError(scene));
 
-  const { k, delta_t, w, iterations } = { ...scene, ...overrides };
-  const parameters = { k, delta_t, w, iterations, storage, mass_scale: 1, gravity: 9.8, wind: false };
+  const parameters = { ...sceneParameters(scene), ...overrides, storage };
   const run = runScene(await loadSolver(), scene, parameters, steps);
 
   const positions = Array.from({ length: run.p.length / 3 }, (_, i) => [...run.p.subarray(3 * i, 3 * i + 3)]);
@@ -36,8 +36,8 @@ async function simulate({ scene: path, steps, overrides, storage, format }: Argu
     method: 'local-global',
     storage,
     steps,
-    iterations,
-    deltaT: delta_t,
+    iterations: parameters.iterations,
+    deltaT: parameters.delta_t,
     positions, // m
     objective: run.objective, // J, one a step
     milliseconds: {

@@ -9,6 +9,7 @@ import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
 import { startSolver } from './app/start_solver.ts';
 import { defaultState, state } from './app/state.ts';
+import { keepOffline } from './app/updates.ts';
 import { cameraKey } from './labs/springs/camera_keys.ts';
 import { SpringsLab } from './labs/springs/springs_lab.tsx';
 import { Header } from './views/header/header.tsx';
@@ -64,8 +65,9 @@ async function begin(): Promise<void> {
   if (!opened) throw new Obstacle('page.errors.noScene');
   session.start();
   render(<Page actions={actions} />, root);
-  followAddress(() => void actions.restore(readAddress()));
+  followAddress(() => actions.restore(readAddress()));
   listen(actions);
+  keepOffline();
   if (!reducedMotion.value) actions.play();
 }
 

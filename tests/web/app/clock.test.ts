@@ -52,4 +52,14 @@ describe('the clock', () => {
     clock.rest();
     expect(clock.due(60_000, 0.01)).toBe(0);
   });
+
+  it('begins another scene with a single step, whatever the last one cost', () => {
+    const clock = new Clock();
+    clock.due(0, 0.01);
+    clock.due(50, 0.01);
+    clock.spent(5, 0.1);
+    clock.reset();
+    clock.due(1000, 0.01);
+    expect(clock.due(1200, 0.01)).toBe(1);
+  });
 });

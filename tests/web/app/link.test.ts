@@ -32,7 +32,9 @@ const states: fc.Arbitrary<AppState> = fc.record({
     springs: fc.boolean(),
     surface: fc.boolean(),
     projector: fc.boolean(),
-    camera: fc.option(fc.record({ position: point, target: point })),
+    camera: fc.option(
+      fc.record({ position: point, target: point }).filter(({ position, target }) => `${position}` !== `${target}`),
+    ),
   }),
   language: fc.constantFrom('en' as const, 'zh' as const),
   theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
@@ -76,6 +78,11 @@ describe('the link', () => {
     ['broken percent escapes', '#/springs?scene=%E0%A4%A', 'scene'],
     ['a parameter that does not exist', '#/springs?parameters={"q":1}', 'parameters'],
     ['a scene name that could leave the folder', '#/springs?scene="../x"', 'scene'],
+    [
+      'a camera that looks nowhere',
+      '#/springs?view={"exaggeration":1,"springs":true,"surface":true,"projector":false,"camera":{"position":[1,1,1],"target":[1,1,1]}}',
+      'view',
+    ],
     ['a page that does not exist', '#/nowhere', '#'],
     ['a version of the future', '#/springs?version=2', 'version'],
     ['a part inherited by every object', '#/springs?toString=1', 'toString'],

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { notices } from '../../../web/src/app/notices.ts';
 import { Session } from '../../../web/src/app/session.ts';
-import { defaultState, dragging, frame, playing, state } from '../../../web/src/app/state.ts';
+import { defaultState, dragging, frame, playing, scene as sceneSignal, state } from '../../../web/src/app/state.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
 import { type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
@@ -125,6 +125,32 @@ describe('the session', () => {
     expect(notices.value[0]).toMatchObject({ key: 'page.errors.crash', params: { reason: 'unreachable' } });
     session.order({ kind: 'next_half_step' });
     expect(client.unanswered).toBe(1);
+  });
+
+  it('asks nothing when only the camera, the theme or the language changes', () => {
+    state.value = { ...state.value, view: { ...state.value.view, camera: { position: [1, 2, 3], target: [0, 0, 0] } } };
+    state.value = { ...state.value, theme: 'dark', language: 'zh' };
+    expect(client.unanswered).toBe(0);
+  });
+
+  it('sends what the reader chose while a value was being refused', async () => {
+    setK(1e7);
+    await turn();
+    setK(30);
+    await client.settle('refused');
+    expect(state.value.parameters).toEqual({ k: 30 });
+    await client.settle('ok');
+    expect(client.requests.at(-1)?.parameters.k).toBe(30);
+  });
+
+  it('shows nothing of a new scene before all of it is there', async () => {
+    const opening = session.open({ ...scene, name: 'next' }, { ...state.value, scene: 'next' });
+    await turn();
+    expect([sceneSignal.value.name, state.value.scene]).toEqual(['pair', 'pair']);
+    state.value = { ...state.value, theme: 'dark' };
+    await client.settle('ok');
+    await opening;
+    expect([sceneSignal.value.name, state.value.scene]).toEqual(['next', 'next']);
   });
 
   it('keeps the scene before when the solver refuses a new one', async () => {

@@ -7,6 +7,9 @@ const problem: Problem = { V: new Float64Array(3), E: new Int32Array(0), m: Floa
 const request = (k: number, kind: 'stay' | 'next_step' = 'stay') =>
   ({ parameters: { k }, command: { kind }, wholeTrace: false }) as unknown as Request;
 
+/** Whether new workers die as soon as a problem is opened in them. */
+let dying = false;
+
 /** Each "worker" answers with the number of the step it stands at, and dies of k = 13 as a trapped module does. */
 class FakeWorker extends EventTarget {
   readonly opened: { from: Checkpoint | null; request: Request }[] = [];
@@ -21,6 +24,7 @@ class FakeWorker extends EventTarget {
       {
         start: async () => {},
         open: async (_: Problem, asked: Request, from: Checkpoint | null) => {
+          if (dying) throw new WebAssembly.RuntimeError('out of memory');
           this.opened.push({ from, request: asked });
           this.step = from?.step ?? 1;
           return this.reply();
@@ -91,9 +95,20 @@ describe('the solver’s client', () => {
     const client = newClient();
     await client.open(problem, request(1));
     const asked = client.run(request(2));
+    for (let turn = 0; turn < 3; turn++) await null; // it has been sent, but a message takes longer
     workers[0].dispatchEvent(new Event('error'));
     await expect(asked).rejects.toThrow(SolverCrash);
     expect(workers).toHaveLength(2);
+  });
+
+  it('survives a restoration that fails too, and tries again with the next call', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    await client.run(request(2, 'next_step'));
+    dying = true;
+    await expect(client.run(request(13))).rejects.toThrow(SolverCrash);
+    dying = false;
+    expect(await client.run(request(2, 'next_step'))).toMatchObject({ ok: true, value: { checkpoint: { step: 3 } } });
   });
 
   it('passes on what went wrong', async () => {

@@ -7,6 +7,9 @@ describe('describeStatus', () => {
     expect(describeStatus({ code: 'index_out_of_range', field: 'E', index: 3, value: 12 })).toBe(
       'E[3]: there is no vertex 12',
     );
+    expect(describeStatus({ code: 'index_out_of_range', field: 'half_step', index: -1, value: 99 })).toBe(
+      'half_step: there is no half-step 99',
+    );
     expect(describeStatus({ code: 'not_positive', field: 'k', index: -1, value: -5 })).toBe('k: -5 is not positive');
     expect(describeStatus({ code: 'no_scene', field: '', index: -1, value: 0 })).toBe('no scene has been set');
   });

@@ -24,6 +24,8 @@ import {
 export class Actions {
   private readonly session: Session;
 
+  private openings = 0;
+
   constructor(session: Session) {
     this.session = session;
   }
@@ -57,7 +59,7 @@ export class Actions {
   seek(half_step: number): void {
     this.pausedAnd({ kind: 'seek', half_step });
   }
-  /** Back to rest: positions and pins as the scene has them; parameters stay. */
+  /** Back to rest, every pin held where it rests; parameters and the set of pins stay. */
   reset(): void {
     if (state.value.pins) this.change({ pins: state.value.pins.map((pin) => ({ ...pin, target: null })) });
     this.session.order({ kind: 'reset' });
@@ -160,25 +162,38 @@ export class Actions {
   /** Opens a scene of the library with the scene's own parameters and pins. */
   async openScene(name: string): Promise<void> {
     dismissErrors();
-    await this.restore({
-      ...state.value,
+    await this.open(name, () => ({
       scene: name,
       parameters: {},
       pins: null,
       selection: defaultState.selection,
       view: { ...state.value.view, camera: null },
-    });
+    }));
   }
 
   /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
   async restore(wanted: AppState): Promise<boolean> {
+    return this.open(wanted.scene, () => {
+      language.value = wanted.language;
+      return wanted;
+    });
+  }
+
+  /** Opens the scene of that name, unless another was asked for while its files were on their way. */
+  private async open(
+    name: string,
+    change: () => Pick<AppState, 'parameters' | 'pins' | 'selection'> & Partial<AppState>,
+  ): Promise<boolean> {
+    this.openings += 1;
+    const mine = this.openings;
     let opened = false;
     await this.reporting(async () => {
-      const found = await findScene(wanted.scene);
-      language.value = wanted.language;
+      const found = await findScene(name);
+      if (mine !== this.openings) return;
+      const wanted = change();
       opened = await this.session.open(found, {
         ...wanted,
-        pins: pinsOn(found, wanted.pins),
+        pins: sensiblePins(found, wanted.pins),
         selection: selectionOn(found, wanted.selection),
       });
     });
@@ -206,9 +221,9 @@ function clamped<Name extends keyof Adjustable>(name: Name, value: Adjustable[Na
 }
 
 /** Pins that make sense on this scene: none of them double, missing or absurdly far; otherwise the scene's own, and a word about it. */
-function pinsOn({ m, V }: Scene, wanted: Pin[] | null): Pin[] | null {
+function sensiblePins({ m, V }: Scene, wanted: Pin[] | null): Pin[] | null {
   if (!wanted) return null;
-  const farthest = 1000 * Math.max(...V.map(Math.abs));
+  const farthest = 1000 * V.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   const sensible = wanted.every(
     ({ vertex, target }) => vertex < m.length && (target ?? []).every((x) => Math.abs(x) <= farthest),
   );

@@ -20,12 +20,15 @@ export function readAddress(): AppState {
 }
 
 /** Keeps the address equal to the state, so that copying it is sharing it. `onEdited` hears of links typed or clicked later. */
-export function followAddress(onEdited: () => void): void {
+export function followAddress(onEdited: () => Promise<unknown>): void {
   let timer = 0;
   effect(() => {
     const link = encodeLink(state.value);
     clearTimeout(timer);
     timer = window.setTimeout(() => history.replaceState(null, '', link), quiet_ms);
   });
-  addEventListener('hashchange', onEdited);
+  addEventListener('hashchange', async () => {
+    await onEdited();
+    history.replaceState(null, '', encodeLink(state.value)); // what could not be opened does not stay in the address
+  });
 }

@@ -35,4 +35,10 @@ export class Clock {
     this.last = null;
     this.owed_ms = 0;
   }
+
+  /** Another scene: what its steps cost is not known, so the first request is for one. */
+  reset(): void {
+    this.rest();
+    this.step_ms = Clock.budget_ms.most;
+  }
 }

@@ -8,7 +8,7 @@ import { notify } from './notices.ts';
 /** Addresses of the scenes' files as built, by file name. */
 const urls = Object.fromEntries(
   Object.entries(
-    import.meta.glob<string>(['../../../scenes/*.{json,obj,png}', '!**/*.schema.json'], {
+    import.meta.glob<string>(['../../../scenes/*.{json,obj,png}', '!../../../scenes/*.schema.json'], {
       query: '?url',
       import: 'default',
       eager: true,
@@ -55,20 +55,32 @@ export async function openFiles(files: readonly File[]): Promise<Scene> {
   if (!json) throw new SceneProblem('page.errors.sceneNoJson', {});
   const named = (name: string) => files.find((file) => file.name === name);
   let missing = '';
-  const scene = trusted(
-    await loadScene(json.name, {
-      read: async (name) => named(name)?.text() ?? null,
-      url: (name) => {
-        const picture = named(name);
-        if (!picture) missing = name;
-        return picture ? URL.createObjectURL(picture) : null;
-      },
-    }),
-  );
+  const read = await loadScene(json.name, {
+    read: async (name) => named(name)?.text() ?? null,
+    url: (name) => {
+      const picture = named(name);
+      if (!picture) missing = name;
+      return picture ? URL.createObjectURL(picture) : null;
+    },
+  });
+  const scene = trusted(read);
   if (missing) notify('info', 'page.notice.pictureMissing', { missing });
-  if (librarySceneNames.some((name) => name === scene.name)) scene.name += '-file'; // the library's own stays reachable
-  openedScenes.value = [...openedScenes.value.filter(({ name }) => name !== scene.name), scene];
+  scene.name = freeName(scene.name);
+  keep(scene);
   return scene;
+}
+
+/** A name that a link can carry, and that leaves the library's own scenes reachable. */
+function freeName(name: string): string {
+  const plain = name.replace(/[^\w-]+/g, '-').slice(0, 50);
+  return librarySceneNames.some((known) => known === plain) ? `${plain}-file` : plain;
+}
+
+/** Takes the place of an earlier scene of that name, whose picture is let go. */
+function keep(scene: Scene): void {
+  const same = openedScenes.value.find(({ name }) => name === scene.name);
+  if (same?.texture) URL.revokeObjectURL(same.texture.url);
+  openedScenes.value = [...openedScenes.value.filter((other) => other !== same), scene];
 }
 
 function trusted(result: Scene | SceneError): Scene {

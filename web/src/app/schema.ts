@@ -26,7 +26,11 @@ export const stateSchema = {
     springs: z.boolean(),
     surface: z.boolean(),
     projector: z.boolean(),
-    camera: z.nullable(z.strictObject({ position: point, target: point })),
+    camera: z.nullable(
+      z.strictObject({ position: point, target: point }).check(
+        z.refine(({ position, target }) => position.some((x, axis) => x !== target[axis])), // or it would look nowhere
+      ),
+    ),
   }),
   language: z.enum(languages),
   theme: z.enum(['light', 'dark', 'system']),

@@ -6,7 +6,20 @@ import type { Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
-import { type AppState, dragging, frame, parameters, pins, playing, r, scene, state } from './state.ts';
+import {
+  type AppState,
+  dragging,
+  frame,
+  parameters,
+  parametersOn,
+  pins,
+  pinsOn,
+  playing,
+  r,
+  scene,
+  selectedVertex,
+  state,
+} from './state.ts';
 
 /** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
 const longestQueue = 4;
@@ -35,7 +48,7 @@ export class Session {
   start(): void {
     effect(() => {
       // Reading them subscribes: whatever they become, the picture has to follow.
-      void [parameters.value, pins.value, state.value.selection.vertex, playing.value, dragging.value];
+      void [parameters.value, pins.value, selectedVertex.value, playing.value, dragging.value];
       untracked(() => {
         this.stale = true;
         this.halted = false;
@@ -52,13 +65,15 @@ export class Session {
     requestAnimationFrame(tick);
   }
 
-  /** Opens a scene with the parameters and pins of `wanted`. False, and everything as it was, when the solver refuses it. */
-  async open(next: Scene, wanted: AppState): Promise<boolean> {
+  /** Opens a scene and makes `change` part of the state. False, and everything as it was, when the solver refuses it. */
+  async open(
+    next: Scene,
+    change: Pick<AppState, 'parameters' | 'pins' | 'selection'> & Partial<AppState>,
+  ): Promise<boolean> {
     while (this.current) await this.current;
     let opened = false;
-    // Deferred, so that `current` holds everyone else off before the state is touched.
-    this.current = Promise.resolve().then(async () => {
-      opened = await this.openNow(next, wanted);
+    this.current = this.openNow(next, change).then((result) => {
+      opened = result;
     });
     try {
       await this.current;
@@ -69,16 +84,23 @@ export class Session {
     return opened;
   }
 
-  private async openNow(next: Scene, wanted: AppState): Promise<boolean> {
-    const before = { scene: scene.value, state: state.value };
-    scene.value = next;
-    state.value = wanted;
-    this.queue.length = 0;
+  private async openNow(next: Scene, change: Parameters<Session['open']>[1]): Promise<boolean> {
     try {
-      const outcome = await this.client.open(next, this.request({ kind: 'stay' }));
+      const outcome = await this.client.open(next, {
+        parameters: parametersOn(next, change.parameters),
+        pins: pinsOn(next, change.pins),
+        command: { kind: 'stay' },
+        selectedVertex: change.selection.vertex,
+        wholeTrace: false,
+      });
       if (outcome.ok) {
-        this.accepted = { parameters: wanted.parameters, pins: wanted.pins };
+        this.accepted = { parameters: change.parameters, pins: change.pins };
+        this.queue.length = 0;
+        this.clock.reset();
+        // All at once: nobody may see one scene's springs with another's positions.
         batch(() => {
+          scene.value = next;
+          state.value = { ...state.value, ...change };
           r.value = outcome.value.r;
           frame.value = outcome.value.frame;
         });
@@ -89,8 +111,6 @@ export class Session {
       if (!(reason instanceof SolverCrash) || !frame.value) throw reason;
       notify('error', 'page.errors.crash', { reason: reason.message });
     }
-    scene.value = before.scene;
-    state.value = before.state;
     return false;
   }
 
@@ -128,10 +148,15 @@ export class Session {
   }
 
   private request(command: Command): Request {
-    const { vertex } = state.value.selection;
     const wholeTrace = command.kind === 'stay' && !this.stale && this.unfinishedTrace();
     this.stale = false;
-    return { parameters: parameters.value, pins: pins.value, command, selectedVertex: vertex, wholeTrace };
+    return {
+      parameters: parameters.value,
+      pins: pins.value,
+      command,
+      selectedVertex: selectedVertex.value,
+      wholeTrace,
+    };
   }
 
   private async run(request: Request): Promise<void> {
@@ -153,14 +178,15 @@ export class Session {
     }
   }
 
-  /** Puts the last accepted parameters and pins back, unless it was those that failed. */
+  /** Puts the last accepted parameters and pins back, unless it was those that failed or the reader has moved on. */
   private fallBack(failed: Pick<AppState, 'parameters' | 'pins'>): void {
     playing.value = false;
     this.queue.length = 0;
+    const { parameters: p, pins: q } = state.value;
+    if (p !== failed.parameters || q !== failed.pins) return; // what was chosen since is asked for next
     this.stale = false;
     this.halted = true;
-    const { parameters: p, pins: q } = this.accepted;
-    if (failed.parameters !== p || failed.pins !== q) state.value = { ...state.value, ...this.accepted };
+    if (p !== this.accepted.parameters || q !== this.accepted.pins) state.value = { ...state.value, ...this.accepted };
   }
 
   private explain(status: Status): void {

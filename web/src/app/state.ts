@@ -3,6 +3,7 @@ import type { Scene } from '../scene/scene.ts';
 import type { Frame } from '../solver/frame.ts';
 import type { Parameters } from '../solver/module.ts';
 import type { Pins } from '../solver/protocol.ts';
+import { sceneParameters } from '../solver/scene_parameters.ts';
 import type { Language } from './messages/index.ts';
 
 /** Everything worth saving: what a link, a preset or a fixture holds. Plain JSON, checked by schema.ts. */
@@ -84,26 +85,31 @@ export const playing = signal(false);
 /** A pin being dragged follows the pointer whether or not the clock runs. */
 export const dragging = signal<number | null>(null);
 
-/** The scene's own parameters with the reader's changes. */
-export const parameters = computed<Parameters>(() => ({
-  ...sceneParameters(scene.value),
-  ...state.value.parameters,
-}));
+// Computed one by one, so that what follows a part does not hear of the others.
+const chosenParameters = computed(() => state.value.parameters);
+const chosenPins = computed(() => state.value.pins);
+export const selectedVertex = computed(() => state.value.selection.vertex);
 
-export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameters {
-  return { k, delta_t, w, iterations, mass_scale: 1, gravity: 9.8, wind: false, storage: 'sparse' };
+/** The parameters in force. */
+export const parameters = computed(() => parametersOn(scene.value, chosenParameters.value));
+
+/** The pins in force. */
+export const pins = computed(() => pinsOn(scene.value, chosenPins.value));
+
+/** The scene's own parameters with the reader's changes. */
+export function parametersOn(s: Scene, chosen: AppState['parameters']): Parameters {
+  return { ...sceneParameters(s), ...chosen };
 }
 
-/** The pins in force: the reader's, or the scene's at rest. */
-export const pins = computed<Pins>(() => {
-  const s = scene.value;
-  const chosen: Pin[] = state.value.pins ?? Array.from(s.pinned, (vertex) => ({ vertex, target: null }));
+/** The reader's pins, or the scene's own at rest. */
+export function pinsOn(s: Scene, chosen: AppState['pins']): Pins {
+  const list: Pin[] = chosen ?? Array.from(s.pinned, (vertex) => ({ vertex, target: null }));
   return {
-    pinned: Int32Array.from(chosen, (pin) => pin.vertex),
-    targets: Float64Array.from(chosen.flatMap((pin) => pin.target ?? restPosition(s, pin.vertex))),
+    pinned: Int32Array.from(list, (pin) => pin.vertex),
+    targets: Float64Array.from(list.flatMap(({ vertex, target }) => target ?? restPosition(s, vertex))),
   };
-});
+}
 
-export function restPosition(s: Scene, vertex: number): [number, number, number] {
-  return [s.V[3 * vertex], s.V[3 * vertex + 1], s.V[3 * vertex + 2]] as [number, number, number];
+function restPosition(s: Scene, vertex: number): number[] {
+  return Array.from(s.V.subarray(3 * vertex, 3 * vertex + 3));
 }

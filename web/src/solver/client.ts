@@ -31,7 +31,7 @@ export class SolverClient {
 
   /** Starts the worker. Rejects when the module does not compile here. */
   async start(): Promise<void> {
-    await this.startWorker();
+    await this.ready();
   }
 
   /** Opens a problem from rest. On failure the one open before stays. Throws SolverCrash. */
@@ -50,11 +50,15 @@ export class SolverClient {
   }
 
   private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
-    const service = this.service ?? (await this.startWorker());
     try {
-      return await this.untilFailure(call(service));
+      return await this.untilFailure(call(await this.ready()));
     } catch (reason) {
-      await this.replaceWorker();
+      this.stop();
+      try {
+        await this.ready();
+      } catch {
+        this.stop(); // the next call tries again
+      }
       throw new SolverCrash(reason instanceof Error ? reason.message : String(reason));
     }
   }
@@ -73,23 +77,26 @@ export class SolverClient {
     });
   }
 
-  private async startWorker(): Promise<SolverService> {
+  /** The service, in a new worker if there is none, with the last good state open in it. */
+  private async ready(): Promise<SolverService> {
+    if (this.service) return this.service;
     this.worker = this.options.createWorker();
     // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
     const service = wrap(this.worker) as unknown as SolverService;
     await this.untilFailure(service.start(this.options.wasmBinary));
+    if (this.lastGood) {
+      const { problem, request, checkpoint } = this.lastGood;
+      const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false };
+      const outcome = await this.untilFailure(service.open(problem, restored, checkpoint));
+      if (!outcome.ok) throw new Error(`the last good state was refused: ${outcome.status.code}`);
+    }
     this.service = service;
     return service;
   }
 
-  private async replaceWorker(): Promise<void> {
+  private stop(): void {
     this.worker?.terminate();
     this.worker = null;
     this.service = null;
-    if (!this.lastGood) return;
-    const { problem, request, checkpoint } = this.lastGood;
-    const service = await this.startWorker();
-    const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false };
-    await this.untilFailure(service.open(problem, restored, checkpoint));
   }
 }

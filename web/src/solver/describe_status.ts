@@ -7,7 +7,7 @@ const sentences: Record<StatusCode, string> = {
   no_vertices: 'there are no vertices',
   wrong_length: 'a length of {{value}} does not fit',
   not_finite: '{{value}} is not a finite number',
-  index_out_of_range: 'there is no vertex {{value}}',
+  index_out_of_range: 'there is no {{indexed}} {{value}}',
   self_spring: 'vertex {{value}} is joined to itself',
   duplicate_spring: 'the spring of row {{value}} again',
   duplicate_pin: 'the pin of row {{value}} again',
@@ -21,6 +21,7 @@ const sentences: Record<StatusCode, string> = {
 /** One English line with field, row (from 0) and value, e.g. "E[3]: there is no vertex 12". */
 export function describeStatus({ code, field, index, value }: Status): string {
   const place = index < 0 ? field : `${field}[${index}]`;
-  const sentence = fillTemplate(sentences[code], { value });
+  const indexed = field === 'half_step' ? 'half-step' : 'vertex';
+  const sentence = fillTemplate(sentences[code], { value, indexed });
   return place ? `${place}: ${sentence}` : sentence;
 }

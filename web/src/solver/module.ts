@@ -122,14 +122,16 @@ export interface Simulation {
   targets(): Float64Array;
   /**
    * One row of `traceColumns` per half-step traced so far in this time step (0 … furthest), row-major.
-   * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, residual ‖Qp−b‖∞ (0 unless global), change max_i‖p_i − p_before_i‖.
+   * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, residual ‖Qp−b‖∞ and change max_i‖p_i − p_before_i‖
+   * (both 0 unless global).
    */
   trace(): Float64Array;
   probe_vertex(i: number): VertexProbe;
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;
+  /** Without those of calls that failed. */
   factorisation_count(): number;
-  /** Why the last factorisation happened. */
+  /** Why the last of them happened. */
   factorisation_reason(): FactorisationReason;
 
   /** For tests and matrix views: the matrices of mathematics.md as triplets (copies). */

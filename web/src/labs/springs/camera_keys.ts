@@ -2,7 +2,7 @@ import { scene3D } from './stage_signals.ts';
 
 /** Radians a press. */
 const turn = 0.1;
-const closer = 0.9;
+const closer = 1.1; // factor a press
 
 /** The camera by keyboard: Shift and arrows turn, + and − zoom, 0 shows everything. Returns whether the key meant that. */
 export function cameraKey(key: string, shift: boolean): boolean {

@@ -21,7 +21,8 @@ export function PinHandle({ actions }: { actions: Actions }) {
   const { pinned, targets } = pins.value;
   void pictures.value; // the handle stands where the last one drew its pin
   const view = scene3D.value;
-  if (pinned.length === 0 || !view || !frame.value) return null;
+  if (pinned.length === 0) return <p class="no-pins">{t('page.pinHandle.none')}</p>;
+  if (!view || !frame.value) return null;
   const row = Math.min(chosen, pinned.length - 1);
   const vertex = pinned[row];
   const target = [...targets.subarray(3 * row, 3 * row + 3)];

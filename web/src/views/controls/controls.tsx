@@ -13,9 +13,9 @@ export function Controls({ actions }: { actions: Actions }) {
     <section class="controls" aria-labelledby="controls-heading">
       <h2 id="controls-heading">{t('page.controls.heading')}</h2>
       <ParameterControl name="k" letter="k" symbol="k" unit="N/m" actions={actions} />
-      <ParameterControl name="delta_t" letter="Δt" symbol="delta_t" unit="s" actions={actions} />
+      <ParameterControl name="delta_t" letter="Δt" symbol="deltaT" unit="s" actions={actions} />
       <ParameterControl name="mass_scale" letter="m" symbol="m" unit="×" actions={actions} />
-      <ParameterControl name="iterations" letter="K" symbol="K" unit="" actions={actions} />
+      <ParameterControl name="iterations" letter="K" symbol={null} unit="" actions={actions} />
       <ParameterControl name="w" letter="w" symbol="w" unit="N/m" actions={actions} />
 
       <div class="controls-switches">

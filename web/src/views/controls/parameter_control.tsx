@@ -5,14 +5,15 @@ import { t } from '../../app/messages/index.ts';
 import { type Adjustable, parameters, state } from '../../app/state.ts';
 import { Icon } from '../../lib/icon.tsx';
 import { parseNumber } from '../../lib/parse_number.ts';
+import type { SymbolId } from '../../notation/symbols.ts';
 
 type Name = Exclude<keyof Adjustable, 'wind'>;
 
 interface Props {
   name: Name;
-  /** The letter in the equations, and its id there, which gives it the same colour. */
+  /** The letter, and its symbol in the equations, if it stands there: they share the colour. */
   letter: string;
-  symbol: string;
+  symbol: SymbolId | null;
   unit: string;
   actions: Actions;
 }
@@ -45,7 +46,7 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
   return (
     <div class="parameter">
       <label for={id}>
-        <i class="symbol" data-sym={symbol}>
+        <i class="symbol" data-sym={symbol ?? undefined}>
           {letter}
         </i>
         {t(`page.controls.${name}`)}

@@ -12,9 +12,9 @@ export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => vo
   const other = language === 'en' ? 'zh' : 'en';
   return (
     <header class="header">
-      <a class="skip" href="#transport">
+      <button type="button" class="skip" onClick={() => document.getElementById('transport')?.focus()}>
         {t('page.skip')}
-      </a>
+      </button>
       <h1>
         <svg viewBox="0 0 32 20" width="32" height="20" aria-hidden="true">
           <path

@@ -22,7 +22,13 @@ const gestures: MessageKey[] = ['page.keys.drag', 'page.keys.click', 'page.keys.
 /** The list of keys and gestures, beside the page rather than over it: nothing stops while it is open. */
 export function Help({ onClose }: { onClose: () => void }) {
   const close = useRef<HTMLButtonElement>(null);
-  useEffect(() => close.current?.focus(), []);
+  useEffect(() => {
+    const before = document.activeElement;
+    close.current?.focus();
+    return () => {
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
   return (
     <aside
       class="help"

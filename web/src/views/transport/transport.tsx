@@ -19,7 +19,7 @@ export function Transport({ actions }: { actions: Actions }) {
   };
   const next = placeOf(f.half_step === f.last_half_step ? 0 : f.half_step + 1, f.last_half_step).phase;
   return (
-    <section class="transport" id="transport" aria-label={t('page.transport.label')}>
+    <section class="transport" id="transport" tabIndex={-1} aria-label={t('page.transport.label')}>
       <div class="transport-buttons">
         <Move icon="reset" name="reset" onClick={() => actions.reset()} />
         <Move
@@ -43,7 +43,7 @@ export function Transport({ actions }: { actions: Actions }) {
         <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
       </div>
       <div class="transport-place">
-        <p class="transport-status" data-testid="status">
+        <p class="transport-status" data-testid="status" aria-live={playing.value ? 'off' : 'polite'}>
           {statusText(f)}
         </p>
         <p class="transport-story">

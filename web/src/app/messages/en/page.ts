@@ -99,8 +99,6 @@ export const page = {
     notANumber: '“{{text}}” is not a number. Fractions such as 1/30 are read too.',
     notWhole: '{{value}} is not a whole number',
     outOfRange: '{{value}} is outside {{min}} … {{max}}',
-    refactorises: 'changes Q: refactorises',
-    keepsFactor: 'Q stays: no refactorisation',
   },
   solver: {
     heading: 'The solver',

@@ -19,7 +19,6 @@ export const plots = {
   pin: 'pins',
   residual: 'residual of Qp = b',
   change: 'largest move',
-  iteration: 'iteration',
   data: 'Table of all half-steps',
   download: 'Download CSV',
 };

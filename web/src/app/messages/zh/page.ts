@@ -94,8 +94,6 @@ export const page = {
     notANumber: '“{{text}}” 不是数。也可以输入 1/30 这样的分数。',
     notWhole: '{{value}} 不是整数',
     outOfRange: '{{value}} 超出范围 {{min}} … {{max}}',
-    refactorises: '改变 Q：需重新分解',
-    keepsFactor: 'Q 不变：无需重新分解',
   },
   solver: {
     heading: '求解器',

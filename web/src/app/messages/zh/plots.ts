@@ -21,7 +21,6 @@ export const plots: Catalogue<typeof en> = {
   pin: '固定点项',
   residual: 'Qp = b 的残差',
   change: '最大移动',
-  iteration: '迭代',
   data: '全部半步的数值表',
   download: '下载 CSV',
 };

@@ -1,0 +1,7 @@
+import type { Scene } from '../scene/scene.ts';
+import type { Parameters } from './module.ts';
+
+/** The parameters of a scene as its file gives them, and where it gives none those of the course: gravity 9.8 m/s², no wind. */
+export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameters {
+  return { k, delta_t, w, iterations, mass_scale: 1, gravity: 9.8, wind: false, storage: 'sparse' };
+}
