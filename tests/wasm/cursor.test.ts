@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
+import { traceColumns } from '../../web/src/solver/module.ts';
 import { expectOk, openSimulation, place } from '../support/open_simulation.ts';
 import { net, usualParameters } from '../support/small_scenes.ts';
 import { traceRows } from '../support/trace_rows.ts';
@@ -57,6 +58,23 @@ test('going back and forth gives the same bits', () => {
       expect(simulation.trace()).toEqual(trace);
     }),
     { seed: 6, numRuns: 20 },
+  );
+});
+
+test('a trace does not tell in which order it was gone through', () => {
+  const simulation = stepped();
+  expectOk(simulation.next_step());
+  const { step, p_curr, p_prev } = place(simulation);
+  expectOk(simulation.seek(last));
+  const straight = simulation.trace().slice();
+  fc.assert(
+    fc.property(fc.array(fc.integer({ min: 0, max: last }), { maxLength: 20 }), (visits) => {
+      expectOk(simulation.set_state(step, p_curr, p_prev, 0)); // forgets the trace
+      for (const h of visits) expectOk(simulation.seek(h));
+      const furthest = Math.max(0, ...visits);
+      expect(simulation.trace()).toEqual(straight.subarray(0, (furthest + 1) * traceColumns.length));
+    }),
+    { seed: 7, numRuns: 50 },
   );
 });
 

@@ -11,6 +11,7 @@ const everything = (simulation: Simulation) => ({
   y: simulation.y().slice(),
   Q: simulation.Q(),
   count: simulation.factorisation_count(),
+  reason: simulation.factorisation_reason(),
   remembered: simulation.remembered_steps(),
 });
 
@@ -95,6 +96,11 @@ const otherErrors: [string, (simulation: Simulation) => Status, Status][] = [
     'a target so far that the step overflows',
     (simulation) => simulation.set_pins(Int32Array.of(0, 2), new Float64Array(6).fill(1e300)),
     { code: 'diverged', field: 'p', index: 0, value: Number.POSITIVE_INFINITY },
+  ],
+  [
+    'a gravity so strong that the step overflows, with another stiffness',
+    (simulation) => simulation.set_parameters({ ...usualParameters, k: 2000, gravity: 1e308 }),
+    { code: 'diverged', field: 'p', index: 0, value: Number.NEGATIVE_INFINITY },
   ],
   [
     'a checkpoint of another scene',

@@ -166,6 +166,9 @@ Status Simulation::replace(State next, const std::string& reason, Settle settle)
     std::swap(state_, next);
     trace_ = std::move(trace_before);
     prepare(reason);
+  } else if (!reason.empty()) {
+    ++factorisation_count_;
+    factorisation_reason_ = reason;
   }
   return status;
 }
@@ -206,8 +209,6 @@ Status Simulation::prepare(const std::string& reason) {
     system_.reorder_pins(step);  // the same set may be listed in another order
   } else {
     if (reason == "scene" || reason == "storage") system_.clear(state_.parameters.storage);
-    ++factorisation_count_;
-    factorisation_reason_ = reason;
     if (!system_.precompute(state_.V, step, step.r)) {
       return {StatusCode::factorisation_failed, "Q", -1, nan};
     }
@@ -241,9 +242,8 @@ void Simulation::next_half_step(Cursor& cursor) {
 }
 
 void Simulation::record(const Cursor& cursor) {
-  const bool solved = cursor.half_step > 0 && cursor.half_step % 2 == 0;
   const double residual =
-      solved ? system_.residual(state_.time_step, cursor.iterate.p, workspace_.b) : 0;
+      cursor.at_global() ? system_.residual(state_.time_step, cursor.iterate.p, workspace_.b) : 0;
   trace_.append(state_.time_step, cursor, residual, state_.parameters.iterations);
 }
 

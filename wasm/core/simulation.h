@@ -53,6 +53,7 @@ class Simulation {
   /// No rows where p is not #V by 3.
   Points gradient_at(const std::vector<double>& p) const;
   double stiffness_number() const;
+  /// Without those of calls that failed.
   int factorisation_count() const { return factorisation_count_; }
   const std::string& factorisation_reason() const { return factorisation_reason_; }
 

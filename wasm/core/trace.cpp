@@ -20,7 +20,9 @@ void Trace::append(const TimeStep& step, const Cursor& cursor, double residual, 
   const double spring_term =
       cursor.half_step == 0 ? E.potential : projection_energy(step.E, step.k, cursor.iterate.d, p);
   const double surrogate = spring_term + E.inertia + E.external + E.pin;
-  const double change = (p - cursor.iterate.p_before).rowwise().norm().maxCoeff();
+  // Only the global step moves vertices; elsewhere p_before depends on where the cursor set out.
+  const double change =
+      cursor.at_global() ? (p - cursor.iterate.p_before).rowwise().norm().maxCoeff() : 0;
   rows_.insert(rows_.end(), {static_cast<double>(cursor.half_step), E.objective, surrogate,
                              E.potential, E.inertia, E.external, E.pin, residual, change});
 

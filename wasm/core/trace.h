@@ -11,6 +11,8 @@ namespace mass_spring {
 struct Cursor {
   int half_step = 0;
   Iterate iterate;
+
+  bool at_global() const { return half_step > 0 && half_step % 2 == 0; }
 };
 
 /// The half-steps of one time step that were gone through so far: a row of numbers each, and enough
@@ -22,7 +24,7 @@ class Trace {
   static constexpr int columns = 9;
 
   /// Appends the row of the next half-step, recorded().
-  /// @param residual    max |Qp - b|, N
+  /// @param residual    max |Qp - b| at global, 0 elsewhere, N
   /// @param iterations  K
   void append(const TimeStep& step, const Cursor& cursor, double residual, int iterations);
 
