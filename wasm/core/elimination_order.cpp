@@ -6,11 +6,13 @@
 namespace mass_spring {
 
 EliminationOrder elimination_order(const Points& V, const Graph& graph) {
-  EliminationOrder by_degree, by_dissection;
-  by_degree.order = minimum_degree(graph);
-  by_degree.tree = elimination_tree(graph, by_degree.order);
+  EliminationOrder by_dissection, by_degree;
   by_dissection.order = nested_dissection(V, graph);
   by_dissection.tree = elimination_tree(graph, by_dissection.order);
+  // Ties are everywhere in a regular mesh. Broken so, they cost less fill than in most scenes' own
+  // numbering.
+  by_degree.order = minimum_degree(graph, by_dissection.order);
+  by_degree.tree = elimination_tree(graph, by_degree.order);
   return by_dissection.tree.nonzeros < by_degree.tree.nonzeros ? by_dissection : by_degree;
 }
 
