@@ -18,6 +18,7 @@ export const usualParameters: Parameters = {
   iterations: 10,
   gravity: 9.8,
   wind: false,
+  path: 'plain', // the reference; fast_path.test.ts holds the other to it
   storage: 'sparse',
 };
 

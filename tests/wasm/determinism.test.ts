@@ -13,9 +13,18 @@ beforeAll(() => {
 }, 600_000); // compiles everything on a fresh machine
 
 function runNatively({ V, E, m, pinned }: SmallScene, parameters: Parameters, steps: number): number[] {
-  const { k, delta_t, w, mass_scale, iterations, gravity, storage } = parameters;
+  const { k, delta_t, w, mass_scale, iterations, gravity, path, storage } = parameters;
   const counts = [m.length, E.length / 2, pinned.length, steps];
-  const settings = [k, delta_t, w, mass_scale, iterations, gravity, storage === 'dense' ? 1 : 0];
+  const settings = [
+    k,
+    delta_t,
+    w,
+    mass_scale,
+    iterations,
+    gravity,
+    Number(storage === 'dense'),
+    Number(path === 'fast'),
+  ];
   const input = [counts, settings, V, E, m, pinned].map((values) => values.join(' ')).join('\n');
   const output = execFileSync(join(wasm, 'build/native/run_scene'), { input, encoding: 'utf8' });
   return output.trim().split('\n').map(Number);
@@ -31,6 +40,17 @@ function runInWebAssembly(scene: SmallScene, parameters: Parameters, steps: numb
 test.each(['sparse', 'dense'] as const)('a net ends in the same bits natively and in WebAssembly: %s', (storage) => {
   const parameters = { ...usualParameters, storage };
   expect(runInWebAssembly(net(6), parameters, 20)).toEqual(runNatively(net(6), parameters, 20));
+});
+
+test('and so do net and tower on the fast path', async () => {
+  const tower = await openScene('tower');
+  for (const [scene, k] of [
+    [net(6), 1e3],
+    [tower, tower.k],
+  ] as const) {
+    const parameters = { ...usualParameters, k, path: 'fast' } as const;
+    expect(runInWebAssembly(scene, parameters, 20)).toEqual(runNatively(scene, parameters, 20));
+  }
 });
 
 test('and so does the tower, dense, large enough for products in blocks', async () => {

@@ -49,6 +49,13 @@ void set_storage(Parameters& parameters, const std::string& name) {
   parameters.storage = name == "dense" ? Storage::dense : Storage::sparse;
 }
 
+std::string path(const Parameters& parameters) {
+  return parameters.path == Path::fast ? "fast" : "plain";
+}
+void set_path(Parameters& parameters, const std::string& name) {
+  parameters.path = name == "fast" ? Path::fast : Path::plain;
+}
+
 val matrix(int rows, int columns, const Triplets& triplets) {
   std::vector<int> i, j;
   std::vector<double> value;
@@ -103,6 +110,7 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("iterations", &Parameters::iterations)
       .field("gravity", &Parameters::gravity)
       .field("wind", &Parameters::wind)
+      .field("path", &path, &set_path)
       .field("storage", &storage, &set_storage);
 
   value_object<Objective>("Objective")

@@ -74,7 +74,7 @@ void FastSystem::begin(const TimeStep& step) {
     const int i = step.pinned(c);
     objective_offset_ += 0.5 * inertia(i) * (step.targets.row(c) - s.row(i)).squaredNorm();
     const auto target = step.targets.row(c);
-    inertial_[free_count_ + c] = {Pair{target(0), target(1)}, Pair{target(2), 0}};
+    inertial_[row_[i]] = {Pair{target(0), target(1)}, Pair{target(2), 0}};
   }
 }
 

@@ -42,7 +42,7 @@ class FastSystem {
   Factorisation factorise(double k, const Vector& m, double delta_t, const Progress& progress);
 
   /// Takes the known positions, forces and targets of a time step; its other fields must be those
-  /// of analyse() and factorise().
+  /// of analyse() and factorise(), but that its pins may be listed in another order.
   void begin(const TimeStep& step);
 
   /// @param p  #V by 3, m (or anything else of three numbers a vertex)

@@ -1,14 +1,13 @@
 #include "global_step.h"
 
+#include "right_hand_side.h"
+
 namespace mass_spring {
 
 template <typename Matrix, typename Cholesky>
 void global_step(const Precomputation<Matrix, Cholesky>& precomputation, double k, const Points& d,
                  Workspace& workspace, Points& p) {
-  // b = k Aᵀ d + y
-  workspace.b.resizeLike(workspace.y);
-  workspace.b.noalias() = precomputation.A.transpose() * d;
-  workspace.b = k * workspace.b + workspace.y;
+  right_hand_side(precomputation.A, k, d, workspace);
   // Q p = b
   precomputation.Q.solve(workspace.b, workspace.x, p);
 }

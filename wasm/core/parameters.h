@@ -4,6 +4,10 @@ namespace mass_spring {
 
 enum class Storage { sparse, dense };
 
+/// How a time step is computed: `plain` by the readable functions, which penalise pins; `fast` by
+/// FastSystem, which holds them exactly.
+enum class Path { fast, plain };
+
 struct Parameters {
   double k = 0;           // N/m: spring stiffness
   double delta_t = 0;     // s: time step
@@ -12,13 +16,19 @@ struct Parameters {
   int iterations = 0;     // local/global iterations of a time step
   double gravity = 0;     // m/s^2: g = (0, -gravity, 0)
   bool wind = false;
-  Storage storage = Storage::sparse;
+  Path path = Path::plain;
+  Storage storage = Storage::sparse;  // of the plain path
 };
+
+/// The fast path keeps the matrices that it shows sparse.
+inline Storage storage_in_use(const Parameters& parameters) {
+  return parameters.path == Path::fast ? Storage::sparse : parameters.storage;
+}
 
 inline bool operator==(const Parameters& a, const Parameters& b) {
   return a.k == b.k && a.delta_t == b.delta_t && a.w == b.w && a.mass_scale == b.mass_scale &&
          a.iterations == b.iterations && a.gravity == b.gravity && a.wind == b.wind &&
-         a.storage == b.storage;
+         a.path == b.path && a.storage == b.storage;
 }
 
 }  // namespace mass_spring

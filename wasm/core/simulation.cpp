@@ -156,7 +156,7 @@ Status Simulation::seek(int half_step) {
 template <typename Settle>
 Status Simulation::replace(State next, const std::string& reason, Settle settle) {
   next.derive();
-  Status status = validate_system(next.time_step, next.parameters.storage);
+  Status status = validate_system(next.time_step, storage_in_use(next.parameters));
   if (!status.ok()) return status;
   std::swap(state_, next);
   Trace trace_before = std::exchange(trace_, {});
@@ -208,12 +208,13 @@ Status Simulation::prepare(const std::string& reason) {
   if (reason.empty()) {
     system_.reorder_pins(step);  // the same set may be listed in another order
   } else {
-    if (reason == "scene" || reason == "storage") system_.clear(state_.parameters.storage);
-    if (!system_.precompute(state_.V, step, step.r)) {
-      return {StatusCode::factorisation_failed, "Q", -1, nan};
+    if (reason == "scene" || reason == "path" || reason == "storage") {
+      system_.clear(state_.parameters);
     }
+    const Status status = system_.precompute(state_.V, step, step.r);
+    if (!status.ok()) return status;
   }
-  system_.inertial_right_hand_side(step, workspace_.y);
+  system_.begin(step, workspace_);
   return {};
 }
 
@@ -237,7 +238,7 @@ void Simulation::next_half_step(Cursor& cursor) {
     local_step(step.E, step.r, iterate.p, iterate.d);
   } else {
     iterate.p.swap(iterate.p_before);
-    system_.global_step(step.k, iterate.d, workspace_, iterate.p);
+    system_.global_step(step, workspace_, iterate);
   }
 }
 

@@ -1,22 +1,11 @@
 #include "state.h"
 
-#include <algorithm>
-
 #include "bounding_box_diagonal.h"
 #include "gravity.h"
+#include "same_set.h"
 #include "wind.h"
 
 namespace mass_spring {
-namespace {
-
-bool same_set(Indices a, Indices b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a.size() == b.size() && a == b;
-}
-
-}  // namespace
-
 void State::reset() {
   step_number = 1;
   time_step.p_curr = V;
@@ -47,11 +36,13 @@ bool same_settings(const State& a, const State& b) {
 }
 
 std::string reason_to_factorise(const State& before, const State& after) {
-  if (before.parameters.storage != after.parameters.storage) return "storage";
+  if (before.parameters.path != after.parameters.path) return "path";
+  const bool plain = after.parameters.path == Path::plain;
+  if (plain && before.parameters.storage != after.parameters.storage) return "storage";
   if (before.parameters.k != after.parameters.k) return "k";
   if (before.parameters.delta_t != after.parameters.delta_t) return "delta_t";
   if (before.parameters.mass_scale != after.parameters.mass_scale) return "mass";
-  if (before.parameters.w != after.parameters.w) return "w";
+  if (plain && before.parameters.w != after.parameters.w) return "w";
   if (!same_set(before.time_step.pinned, after.time_step.pinned)) return "pins";
   return "";
 }

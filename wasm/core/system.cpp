@@ -1,34 +1,72 @@
 #include "system.h"
 
+#include <cstdint>
+#include <limits>
+
 #include "fast_mass_springs_precomputation_dense.h"
 #include "fast_mass_springs_precomputation_sparse.h"
 #include "fast_mass_springs_step_dense.h"
 #include "fast_mass_springs_step_sparse.h"
 #include "global_step.h"
 #include "inertial_right_hand_side.h"
+#include "local_step.h"
 #include "matrix_from_triplets.h"
+#include "right_hand_side.h"
+#include "same_set.h"
 #include "selection_matrix.h"
+#include "sparse_matrices.h"
 #include "system_product.h"
 #include "triplets_from_matrix.h"
 
 namespace mass_spring {
 
-void System::clear(Storage storage) {
-  if (storage == Storage::dense) {
+namespace {
+
+// Beyond these a factor is refused before work starts: the module may grow to 512 MB
+// (CMakeLists.txt), and the rest of a scene wants its share.
+constexpr double largest_factor = 300e6;            // bytes
+constexpr std::int64_t most_nonzeros = 15'000'000;  // of L
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+const Status not_positive_definite = {StatusCode::factorisation_failed, "Q", -1, nan};
+
+}  // namespace
+
+void System::clear(const Parameters& parameters) {
+  fast_.reset();
+  analysed_ = false;
+  if (storage_in_use(parameters) == Storage::dense) {
     precomputation_.emplace<DensePrecomputation>();
   } else {
     precomputation_.emplace<SparsePrecomputation>();
   }
+  if (parameters.path == Path::fast) fast_.emplace();
 }
 
-bool System::precompute(const Points& V, const TimeStep& step, Vector& r) {
+Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
+  const auto status = [](bool done) { return done ? Status{} : not_positive_definite; };
   if (auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
-    return fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
-                                                  step.delta_t, step.w, r, *dense);
+    return status(fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
+                                                         step.delta_t, step.w, r, *dense));
   }
-  return fast_mass_springs_precomputation_sparse(V, step.E, step.k, step.m, step.pinned,
-                                                 step.delta_t, step.w, r,
-                                                 std::get<SparsePrecomputation>(precomputation_));
+  auto& sparse = std::get<SparsePrecomputation>(precomputation_);
+  if (!fast_) {
+    return status(fast_mass_springs_precomputation_sparse(V, step.E, step.k, step.m, step.pinned,
+                                                          step.delta_t, step.w, r, sparse));
+  }
+  sparse_matrices(V, step.E, step.m, step.pinned, r, sparse);
+  if (!analysed_ || !same_set(analysed_pins_, step.pinned)) {
+    fast_->analyse(V, step.E, r, step.pinned);
+    analysed_pins_ = step.pinned;
+    analysed_ = true;
+  }
+  const double bytes = static_cast<double>(fast_->bytes());
+  if (bytes > largest_factor || fast_->nonzeros() > most_nonzeros) {
+    return {StatusCode::too_large, "factor", -1, bytes};
+  }
+  const auto never_cancelled = [](double) { return true; };
+  return status(fast_->factorise(step.k, step.m, step.delta_t, never_cancelled) ==
+                Factorisation::done);
 }
 
 void System::reorder_pins(const TimeStep& step) {
@@ -40,25 +78,41 @@ void System::reorder_pins(const TimeStep& step) {
       precomputation_);
 }
 
-void System::inertial_right_hand_side(const TimeStep& step, Points& y) const {
+void System::begin(const TimeStep& step, Workspace& workspace) {
   std::visit(
       [&](const auto& precomputation) {
-        mass_spring::inertial_right_hand_side(step, precomputation.M, precomputation.C, y);
+        inertial_right_hand_side(step, precomputation.M, precomputation.C, workspace.y);
       },
       precomputation_);
+  if (fast_) fast_->begin(step);
 }
 
-void System::global_step(double k, const Points& d, Workspace& workspace, Points& p) const {
+void System::global_step(const TimeStep& step, Workspace& workspace, Iterate& iterate) {
+  if (fast_) {
+    right_hand_side(std::get<SparsePrecomputation>(precomputation_).A, step.k, iterate.d,
+                    workspace);
+    WidePoints rows = fast_->rows_from_points(iterate.p_before);
+    fast_->iterate(rows, 1);
+    fast_->points_from_rows(rows, iterate.p);
+    return;
+  }
   std::visit(
       [&](const auto& precomputation) {
-        mass_spring::global_step(precomputation, k, d, workspace, p);
+        mass_spring::global_step(precomputation, step.k, iterate.d, workspace, iterate.p);
       },
       precomputation_);
 }
 
 void System::fast_mass_springs_step(const TimeStep& step, Workspace& workspace, Iterate& iterate,
-                                    int iterations) const {
-  if (const auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
+                                    int iterations) {
+  if (fast_) {
+    WidePoints rows = fast_->rows_from_points(step.p_curr);
+    fast_->iterate(rows, iterations - 1);
+    fast_->points_from_rows(rows, iterate.p_before);
+    local_step(step.E, step.r, iterate.p_before, iterate.d);
+    fast_->iterate(rows, 1);
+    fast_->points_from_rows(rows, iterate.p);
+  } else if (const auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
     fast_mass_springs_step_dense(step, *dense, workspace, iterate, iterations);
   } else {
     fast_mass_springs_step_sparse(step, std::get<SparsePrecomputation>(precomputation_), workspace,
@@ -70,7 +124,11 @@ double System::residual(const TimeStep& step, const Points& p, const Points& b) 
   Points Qp;  // #V by 3, N
   std::visit([&](const auto& precomputation) { system_product(step, precomputation, p, Qp); },
              precomputation_);
-  return (Qp - b).cwiseAbs().maxCoeff();
+  Vector missed = (Qp - b).rowwise().lpNorm<Eigen::Infinity>();  // #V, N
+  if (fast_) {
+    for (const int pinned : step.pinned) missed(pinned) = 0;
+  }
+  return missed.maxCoeff();
 }
 
 VertexProbe System::probe(const TimeStep& step, const Iterate& iterate, const Points& y,

@@ -7,6 +7,7 @@ export interface Arguments {
   steps: number;
   /** What replaces the scene's own values. Units as in the scene: s, N/m. */
   overrides: { iterations?: number; delta_t?: number; k?: number };
+  path: 'fast' | 'plain';
   storage: 'sparse' | 'dense';
   format: 'json' | 'csv';
 }
@@ -19,7 +20,8 @@ export const help = `Runs a scene without a page and prints where its vertices e
   --iterations K          local/global iterations of each (the scene's)
   --dt S                  time step in seconds (the scene's)
   --k K                   stiffness of the springs in N/m (the scene's)
-  --storage sparse|dense  of the matrices (sparse)
+  --path fast|plain       how a step is computed (fast): fast holds pins exactly, plain by the penalty w
+  --storage sparse|dense  of the matrices of the plain path (sparse); dense is always plain
   --format json|csv       (json) json is one object: positions in metres, the objective of each step in joules,
                           times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
                           from 1 as in the OBJ file, in metres
@@ -33,6 +35,7 @@ const options = {
   iterations: { type: 'string' },
   dt: { type: 'string' },
   k: { type: 'string' },
+  path: { type: 'string' },
   storage: { type: 'string' },
   format: { type: 'string' },
   help: { type: 'boolean' },
@@ -54,6 +57,7 @@ export function parseArguments(args: string[]): Arguments | null {
     dt,
     k,
     storage = 'sparse',
+    path = storage === 'dense' ? 'plain' : 'fast',
     format = 'json',
   } = values as Record<string, string | undefined>;
   return {
@@ -64,9 +68,15 @@ export function parseArguments(args: string[]): Arguments | null {
       ...(dt !== undefined && { delta_t: positive('--dt', dt) }),
       ...(k !== undefined && { k: positive('--k', k) }),
     },
+    path: pathFor(oneOf('--path', path, ['fast', 'plain']), storage),
     storage: oneOf('--storage', storage, ['sparse', 'dense']),
     format: oneOf('--format', format, ['json', 'csv']),
   };
+}
+
+function pathFor(path: 'fast' | 'plain', storage: string): 'fast' | 'plain' {
+  if (path === 'fast' && storage === 'dense') throw new UsageError('--path: "fast" has no dense storage');
+  return path;
 }
 
 function positive(option: string, text: string): number {

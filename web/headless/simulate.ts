@@ -18,11 +18,11 @@ try {
 }
 
 /** What the command prints. */
-async function simulate({ scene: path, steps, overrides, storage, format }: Arguments): Promise<string> {
+async function simulate({ scene: path, steps, overrides, path: how, storage, format }: Arguments): Promise<string> {
   const scene = await loadScene(basename(path), folderSource(dirname(path)));
   if (isSceneError(scene)) throw new UsageError(describeSceneError(scene));
 
-  const parameters = { ...sceneParameters(scene), ...overrides, storage };
+  const parameters = { ...sceneParameters(scene), ...overrides, path: how, storage };
   const run = runScene(await loadSolver(), scene, parameters, steps);
 
   const positions = Array.from({ length: run.p.length / 3 }, (_, i) => [...run.p.subarray(3 * i, 3 * i + 3)]);
@@ -34,6 +34,7 @@ async function simulate({ scene: path, steps, overrides, storage, format }: Argu
     vertexCount: positions.length,
     springCount: scene.E.length / 2,
     method: 'local-global',
+    path: how,
     storage,
     steps,
     iterations: parameters.iterations,

@@ -8,6 +8,7 @@ describe('parseArguments', () => {
       scene: 'a.json',
       steps: 100,
       overrides: {},
+      path: 'fast',
       storage: 'sparse',
       format: 'json',
     });
@@ -30,6 +31,7 @@ describe('parseArguments', () => {
       scene: 'a.json',
       steps: 3,
       overrides: { k: 2e5, iterations: 7, delta_t: 0.01 },
+      path: 'plain',
       storage: 'dense',
       format: 'csv',
     });

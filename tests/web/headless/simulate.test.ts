@@ -22,6 +22,7 @@ describe('simulate', startsProcesses, () => {
       vertexCount: 61,
       springCount: 120,
       method: 'local-global',
+      path: 'fast',
       storage: 'sparse',
       steps: 3,
       iterations: 5,

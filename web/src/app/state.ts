@@ -98,7 +98,8 @@ export const pins = computed(() => pinsOn(scene.value, chosenPins.value));
 
 /** The scene's own parameters with the reader's changes. */
 export function parametersOn(s: Scene, chosen: AppState['parameters']): Parameters {
-  return { ...sceneParameters(s), ...chosen };
+  // Only the plain path has a penalty: who chooses w wants to see what it does.
+  return { ...sceneParameters(s), ...chosen, path: chosen.w === undefined ? 'fast' : 'plain' };
 }
 
 /** The reader's pins, or the scene's own at rest. */

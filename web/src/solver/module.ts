@@ -27,7 +27,7 @@ export interface Status {
   value: number;
 }
 
-export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'storage';
+export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'path' | 'storage';
 
 export interface Parameters {
   /** N/m. */
@@ -44,6 +44,9 @@ export interface Parameters {
   gravity: number;
   /** Whether the course's wind blows. */
   wind: boolean;
+  /** `plain`: the readable functions, pins by penalty. `fast`: the same iteration arranged for speed, pins exactly where they are held, no w. */
+  path: 'fast' | 'plain';
+  /** Of the plain path. */
   storage: 'sparse' | 'dense';
 }
 

@@ -2,6 +2,7 @@ import { t } from '../../app/messages/index.ts';
 import { parameters } from '../../app/state.ts';
 import { columnScale, formatLength, formatQuantity } from '../../lib/format.ts';
 import type { Frame, VertexEquation } from '../../solver/frame.ts';
+import type { Parameters } from '../../solver/module.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { Formula } from './formula.tsx';
 import { VectorTable } from './vector_table.tsx';
@@ -17,7 +18,7 @@ export const globalFormulas = [
 
 /** The global step's equation, its row for the selected vertex, and how well it is solved. */
 export function GlobalEquation({ frame }: { frame: Frame }) {
-  const { k, delta_t, w } = parameters.value;
+  const { k, delta_t, w, path } = parameters.value;
   const event = frame.events[frame.half_step];
   return (
     <EquationPanel
@@ -27,7 +28,7 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
       known={['d', 'y', 'Q']}
       unknown="p"
       active={frame.phase === 'global'}
-      note={noteAt(frame)}
+      note={noteAt(frame, path)}
       values={{ k: formatQuantity(k, 'N/m'), deltaT: formatQuantity(delta_t, 's'), w: formatQuantity(w, 'N/m') }}
     >
       {frame.vertexEquation ? (
@@ -47,8 +48,9 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
   );
 }
 
-function noteAt({ phase }: Frame): string | null {
+function noteAt({ phase, vertexEquation, pinned }: Frame, path: Parameters['path']): string | null {
   if (phase === 'predict') return t('equations.global.notYet');
+  if (path === 'fast' && vertexEquation && pinned.includes(vertexEquation.vertex)) return t('equations.global.pinned');
   return phase === 'local' ? t('equations.global.waiting') : null;
 }
 

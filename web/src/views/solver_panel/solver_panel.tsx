@@ -1,5 +1,5 @@
 import { t } from '../../app/messages/index.ts';
-import { frame, scene } from '../../app/state.ts';
+import { frame, parameters, scene } from '../../app/state.ts';
 import type { Frame } from '../../solver/frame.ts';
 import './solver_panel.css';
 
@@ -18,6 +18,8 @@ export function SolverPanel() {
             reason: t(`page.solver.reason.${factorisations.reason}`),
           })}
         </dd>
+        <dt>{t('page.solver.pins')}</dt>
+        <dd data-testid="pins-held">{t(`page.solver.held.${parameters.value.path}`)}</dd>
         <dt>{t('page.solver.stiffness')}</dt>
         <dd>{stiffnessNumber.toPrecision(3)}</dd>
         <dt>{t('page.solver.milliseconds')}</dt>

@@ -16,6 +16,7 @@ export const equations = {
     title: 'Global step',
     invite: 'Click a vertex to see its row of the equation here.',
     notYet: 'Not yet: without d there is no b. The local step comes first.',
+    pinned: 'Pinned exactly: its row is not solved, Qp − b is the force at the pin.',
     waiting: 'b is new; the next half-step solves for p.',
     vertex: 'Vertex {{index}}',
     moved: 'moved {{length}}',

@@ -113,7 +113,13 @@ export const page = {
       mass: 'the masses changed',
       w: 'w changed',
       pins: 'the set of pins changed',
+      path: 'w was chosen or given back',
       storage: 'the storage changed',
+    },
+    pins: 'pins',
+    held: {
+      fast: 'held exactly, no unknowns; choose w to see the penalty instead',
+      plain: 'held by the penalty w',
     },
     stiffness: 'stiffness number κ',
     milliseconds: 'last answer',

@@ -19,6 +19,7 @@ export const equations: Catalogue<typeof en> = {
     title: '全局步',
     invite: '点击一个质点，在这里查看它对应的那一行方程。',
     notYet: '还没有 b：没有 d 就没有 b，要先做局部步。',
+    pinned: '精确固定：这一行不参与求解，Qp − b 就是固定点的力。',
     waiting: 'b 已更新，下一个半步（全局步）才求解 p。',
     vertex: '质点 {{index}}',
     moved: '移动了 {{length}}',

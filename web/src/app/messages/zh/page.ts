@@ -108,7 +108,13 @@ export const page = {
       mass: '质量改变',
       w: 'w 改变',
       pins: '固定点集合改变',
+      path: '固定方式改变（w）',
       storage: '存储方式改变',
+    },
+    pins: '固定点',
+    held: {
+      fast: '精确固定，不作未知量；设定 w 即改用罚函数',
+      plain: '由罚权重 w 固定',
     },
     stiffness: '刚度数 κ（无量纲）',
     milliseconds: '最近一次用时',
