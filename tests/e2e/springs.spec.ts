@@ -118,6 +118,42 @@ test('a focused pin moves with the arrow keys, without refactorising', async ({ 
   await expect.poll(async () => (await pinTarget(page))[0]).toBeGreaterThan(before[0] + 0.05);
   await expect(page.getByTestId('factorisations')).toContainText('1 time · last because the scene was opened');
   await expect(status(page)).toContainText('predict'); // the arrows moved the pin, not the time
+  const { x } = await pinOnScreen(page);
+  await button(page, 'One time step').click();
+  await expect.poll(async () => (await pinOnScreen(page)).x).toBeGreaterThan(x + 5); // the vertex has followed
+});
+
+test('w changes from pins held exactly to the penalty, and back', async ({ page }) => {
+  await openPaused(page);
+  const held = page.getByTestId('pins-held');
+  await expect(held).toContainText('exactly');
+  await page.getByRole('textbox', { name: 'pin penalty' }).fill('1e4');
+  await page.keyboard.press('Enter');
+  await expect(held).toContainText('penalty w');
+  await page.getByRole('button', { name: 'w: Back to the scene’s value' }).click();
+  await expect(held).toContainText('exactly');
+});
+
+test('the scene chosen last is the one that opens, however slowly the one before comes', async ({ page }) => {
+  await openPaused(page);
+  await page.route('**/skirt*.obj', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1000)); // a slow network
+    await route.continue();
+  });
+  await sceneMenu(page).selectOption('skirt');
+  await sceneMenu(page).selectOption('tower');
+  await page.waitForResponse(/skirt.*\.obj/);
+  await expect(page.getByText('209 vertices')).toBeVisible();
+  await expect(sceneMenu(page)).toHaveValue('tower');
+});
+
+test('skipping to the transport keeps everything as it is', async ({ page }) => {
+  await openPaused(page, 'tower', '&parameters={"k":777}');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#transport')).toBeFocused();
+  await expect(sceneMenu(page)).toHaveValue('tower');
+  await expect(page.getByRole('textbox', { name: 'stiffness' })).toHaveValue('777');
 });
 
 test('says when Q was factorised anew, and why', async ({ page }) => {

@@ -52,9 +52,14 @@ describe('framingOfFall', () => {
     expect(added(level, [])).toEqual([]);
   });
 
-  it('what lies flat is seen from higher above than what stands', () => {
-    const standing = Float64Array.of(0, 0, 0, 0, 1, 0);
-    expect(framingOfFall(level, Int32Array.of(0)).polar).toBeLessThan(framingOfFall(standing, Int32Array.of(0)).polar);
+  it('what lies flat is seen from higher above than what stands, and a chain from the front', () => {
+    const polar = (V: number[]) => framingOfFall(Float64Array.from(V), Int32Array.of(0)).polar;
+    const flat = [0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const standing = [0, 0, 0, 0, 1, 0];
+    const chain = [0, 0, 0, 1, 0, 0, 2, 0, 0];
+    expect(polar(flat)).toBeLessThan(polar(standing));
+    expect(polar(chain)).toBe(polar(standing));
+    expect(framingOfFall(Float64Array.from(chain), Int32Array.of(0)).azimuth).toBe(0);
   });
 });
 

@@ -21,7 +21,7 @@ describe('OrbitCamera', () => {
       fc.property(cloud, fc.double({ min: 0.7, max: 1.4, noNaN: true }), (points, polar) => {
         fc.pre(points.some((c, at) => Math.abs(c - points[at % 3]) > 0.05));
         const camera = new OrbitCamera();
-        camera.fit({ points, polar }, view.width / view.height);
+        camera.fit({ points, polar, azimuth: 0.4 }, view.width / view.height);
         const places = onScreen(camera, points);
         const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
         expect(Math.min(...xs)).toBeGreaterThanOrEqual(0);
@@ -34,7 +34,10 @@ describe('OrbitCamera', () => {
 
   it('a square facing the camera fills the height but for the margin', () => {
     const camera = new OrbitCamera();
-    camera.fit({ points: Float64Array.of(-1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0), polar: Math.PI / 2 }, 1.5);
+    camera.fit(
+      { points: Float64Array.of(-1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0), polar: Math.PI / 2, azimuth: 0.4 },
+      1.5,
+    );
     const ys = onScreen(camera, Float64Array.of(0, -1, 0, 0, 1, 0)).map(([, y]) => y);
     // The margin is 18 %; perspective enlarges the corner nearest to the camera, which is turned aside, by less than 15 %.
     expect(ys[0] - ys[1]).toBeGreaterThan(view.height / 1.18 / 1.15);
@@ -87,7 +90,7 @@ it('a scene whose vertices all coincide is seen from a distance, too', () => {
   const camera = new OrbitCamera();
   const point = Float64Array.of(1, 2, 3, 1, 2, 3);
   camera.setScene(point);
-  camera.fit({ points: point, polar: 1 }, 1.5);
+  camera.fit({ points: point, polar: 1, azimuth: 0 }, 1.5);
   for (const [x, y] of onScreen(camera, point)) {
     expect(x).toBeCloseTo(view.width / 2, 3);
     expect(y).toBeCloseTo(view.height / 2, 3);

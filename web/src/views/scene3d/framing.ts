@@ -1,14 +1,20 @@
-/** What a view should hold, and from how steep above. */
+/** What a view should hold, and from where. */
 export interface Framing {
   /** #×3, metres. */
   points: Float64Array;
   /** Radians from +y down. */
   polar: number;
+  /** Radians about y, from the front. */
+  azimuth: number;
 }
 
 /** Radians from +y down: for what stands upright and for what lies flat. */
 const uprightPolar = 1.35;
 const flatPolar = 0.9;
+/** Radians from the front, for what has any depth to be seen. */
+const sidewaysAzimuth = 0.4;
+/** Depth, as a share of the width, from which that is so. */
+const seenDepth = 0.02;
 /** How deep a flat net sags between its pins, in distances to the nearest one. */
 const sagShare = 0.6;
 /** How far what hangs swings on to the other side. */
@@ -16,7 +22,7 @@ const swingShare = 0.7;
 
 /** Where vertices and pins are. */
 export function framingOfNow(p: Float64Array, targets: Float64Array): Framing {
-  return { points: joined(p, targets), polar: polarOf(flatness(p)) };
+  return { points: joined(p, targets), ...directionTo(p) };
 }
 
 /**
@@ -40,7 +46,7 @@ export function framingOfFall(V: Float64Array, pinned: Int32Array): Framing {
       room.push(x - (1 + swingShare) * hangs * asideX, y, z - (1 + swingShare) * hangs * asideZ);
     }
   }
-  return { points: joined(V, room), polar: polarOf(flat) };
+  return { points: joined(V, room), ...directionTo(V) };
 }
 
 /** Metres: to the nearest pin, and the lowest y at which no pin is farther than at rest. */
@@ -62,8 +68,14 @@ function joined(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
   return both;
 }
 
-function polarOf(flat: number): number {
-  return uprightPolar + (flatPolar - uprightPolar) * flat;
+/** What lies flat is looked at from above, but a chain, which is as narrow as it is flat, from the front. */
+function directionTo(points: Float64Array): Pick<Framing, 'polar' | 'azimuth'> {
+  const [width, , depth] = ranges(points).map(({ least, most }) => most - least);
+  const breadth = Math.min(width, depth) / Math.max(width, depth, Number.MIN_VALUE);
+  return {
+    polar: uprightPolar + (flatPolar - uprightPolar) * flatness(points) * breadth,
+    azimuth: depth > seenDepth * width ? sidewaysAzimuth : 0,
+  };
 }
 
 /** 0: at least as high as wide … 1: flat on the ground. */

@@ -9,8 +9,6 @@ const poleMargin = 0.02;
 const leastRadius = 1e-3;
 /** Around what `fit` brings into view. */
 const margin = 1.18;
-/** Radians from the front, where `fit` puts the camera. */
-const frontAzimuth = 0.4;
 
 /** A camera that looks at a target from a distance and an angle, +y up. */
 export class OrbitCamera {
@@ -80,8 +78,8 @@ export class OrbitCamera {
   }
 
   /** Goes to the front and a little aside, as near as all the points allow in a view of this aspect. */
-  fit({ points, polar }: Framing, aspect: number): void {
-    this.offset.set(1, polar, frontAzimuth);
+  fit({ points, polar, azimuth }: Framing, aspect: number): void {
+    this.offset.set(1, polar, azimuth);
     this.target.set(0, 0, 0);
     this.apply();
     const [right, up, back] = [0, 1, 2].map((c) => new Vector3().setFromMatrixColumn(this.camera.matrix, c));
