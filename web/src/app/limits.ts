@@ -1,3 +1,4 @@
+import { steps125 } from '../lib/steps_125.ts';
 import type { Adjustable } from './state.ts';
 
 /**
@@ -11,3 +12,6 @@ export const limits: Record<Exclude<keyof Adjustable, 'wind'>, { min: number; ma
   w: { min: 1e2, max: 1e12, logarithmic: true },
   iterations: { min: 1, max: 200, logarithmic: true },
 };
+
+/** What the views may multiply small changes by. */
+export const exaggerations = steps125(1, 1000);

@@ -45,6 +45,7 @@ export interface ViewOptions {
   camera: Camera | null;
 }
 
+/** Metres; up is +y. */
 export interface Camera {
   position: [number, number, number];
   target: [number, number, number];

@@ -1,17 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  exaggerations,
-  quantile,
-  settleAbove,
-  settleBelow,
-  steps125,
-} from '../../../../web/src/views/scene3d/exaggeration.ts';
-
-it('steps are 1, 2, 5 times powers of ten', () => {
-  expect(exaggerations).toEqual([1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]);
-  expect(steps125(0.01, 0.5)).toEqual([0.01, 0.02, 0.05, 0.1, 0.2, 0.5]);
-});
+import { exaggerations } from '../../../../web/src/app/limits.ts';
+import { quantile, settleAbove, settleBelow } from '../../../../web/src/views/scene3d/exaggeration.ts';
 
 const bound = fc.double({ min: 0, noNaN: true });
 const step = fc.constantFrom(undefined, ...exaggerations);

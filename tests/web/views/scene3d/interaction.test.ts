@@ -35,7 +35,6 @@ const callbacks = {
   onDragStart: vi.fn<Scene3DCallbacks['onDragStart']>(),
   onDrag: vi.fn<Scene3DCallbacks['onDrag']>(),
   onDragEnd: vi.fn<Scene3DCallbacks['onDragEnd']>(),
-  onHover: vi.fn<Scene3DCallbacks['onHover']>(),
   onCameraChange: vi.fn<Scene3DCallbacks['onCameraChange']>(),
   onLegend: vi.fn<Scene3DCallbacks['onLegend']>(),
   onContextLost: vi.fn<Scene3DCallbacks['onContextLost']>(),
@@ -119,13 +118,15 @@ describe('a tap', () => {
 });
 
 describe('hovering', () => {
-  it('tells once of each thing the pointer rests on', () => {
+  it('draws anew once for each thing the pointer rests on', () => {
+    const drawn = callbacks.onInvalidate.mock.calls.length;
     const [x, y] = placeOf(0, 0, 0);
     canvas.send('pointermove', x, y);
     canvas.send('pointermove', x + 1, y);
-    expect(callbacks.onHover).toHaveBeenCalledExactlyOnceWith(interaction.hovered, x, y);
+    expect(callbacks.onInvalidate).toHaveBeenCalledTimes(drawn + 1);
+    expect(interaction.hovered).not.toBeNull();
     canvas.send('pointermove', ...placeOf(0, 0.5, 0));
-    expect(callbacks.onHover).toHaveBeenCalledTimes(2);
+    expect(callbacks.onInvalidate).toHaveBeenCalledTimes(drawn + 2);
     expect(interaction.hovered).toBeNull();
   });
 });

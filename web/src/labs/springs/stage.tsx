@@ -87,7 +87,6 @@ function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
     },
     onDrag: (vertex, target) => actions.movePin(vertex, [target[0], target[1], target[2]]),
     onDragEnd: () => actions.endDrag(),
-    onHover: () => {},
     onCameraChange: (camera) => actions.setView({ camera }),
     onLegend: (next) => {
       legend.value = next;

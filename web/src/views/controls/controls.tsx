@@ -1,10 +1,9 @@
 import type { Actions } from '../../app/actions.ts';
+import { exaggerations } from '../../app/limits.ts';
 import { t } from '../../app/messages/index.ts';
 import { parameters, scene, state } from '../../app/state.ts';
 import { ParameterControl } from './parameter_control.tsx';
 import './controls.css';
-
-const exaggerations = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
 /** What is simulated, with which numbers, and how it is drawn. */
 export function Controls({ actions }: { actions: Actions }) {

@@ -1,13 +1,5 @@
-/** 1, 2, 5 times a power of ten, from `least` to `most` inclusive. */
-export function steps125(least: number, most: number): number[] {
-  const steps: number[] = [];
-  for (let exponent = Math.round(Math.log10(least)); 10 ** exponent <= most; exponent++) {
-    for (const digit of [1, 2, 5]) steps.push(Number(`${digit}e${exponent}`));
-  }
-  return steps.filter((step) => step >= least && step <= most);
-}
+import { steps125 } from '../../lib/steps_125.ts';
 
-export const exaggerations = steps125(1, 1000);
 export const strainRanges = steps125(1e-4, 1);
 
 /** How far a bound may wander from the step in use before another is taken; over the widest stride, 5/2, so that the choice does not flicker. */

@@ -144,7 +144,6 @@ export class Interaction {
     this.hovered = hit;
     if (hit?.view === before?.view && hit?.kind === before?.kind && hit?.index === before?.index) return;
     this.canvas.style.cursor = hit ? 'pointer' : '';
-    this.callbacks.onHover(hit, place?.x ?? 0, place?.y ?? 0);
     this.callbacks.onInvalidate();
   }
 }

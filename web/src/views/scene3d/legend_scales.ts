@@ -1,5 +1,6 @@
+import { exaggerations } from '../../app/limits.ts';
 import { displacement } from './displacements.ts';
-import { exaggerations, quantile, settleAbove, settleBelow, strainRanges } from './exaggeration.ts';
+import { quantile, settleAbove, settleBelow, strainRanges } from './exaggeration.ts';
 import { springLength, springStrain } from './spring_segments.ts';
 import type { Stage } from './stages.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';

@@ -1,6 +1,6 @@
 import { Box3, PerspectiveCamera, Spherical, Vector3 } from 'three';
+import type { Camera } from '../../app/state.ts';
 import type { Framing } from './framing.ts';
-import type { CameraState } from './types.ts';
 
 /** Degrees, vertically: a long lens, so that springs of one length look alike across the view. */
 const fieldOfView = 32;
@@ -35,11 +35,11 @@ export class OrbitCamera {
     this.apply();
   }
 
-  get state(): CameraState {
+  get state(): Camera {
     return { position: this.camera.position.toArray(), target: this.target.toArray() };
   }
 
-  set state({ position, target }: CameraState) {
+  set state({ position, target }: Camera) {
     this.target.fromArray(target);
     this.offset.setFromVector3(new Vector3().fromArray(position).sub(this.target));
     this.apply();

@@ -1,4 +1,5 @@
 import { WebGLRenderer } from 'three';
+import type { Camera } from '../../app/state.ts';
 import { framingOfFall, framingOfNow } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
 import { type DrawnView, Interaction } from './interaction.ts';
@@ -7,17 +8,15 @@ import { lightPalette } from './palette.ts';
 import { projectPoints, worldToClip } from './projection.ts';
 import { SceneContent } from './scene_content.ts';
 import { type StagedFrame, stageOf } from './stages.ts';
-import {
-  type CameraState,
-  NoWebGLError,
-  type Rectangle,
-  type Scene3DCallbacks,
-  type Scene3DFrame,
-  type Scene3DLegend,
-  type Scene3DModel,
-  type Scene3DOptions,
-  type ScreenPoint,
-  type ViewName,
+import type {
+  Rectangle,
+  Scene3DCallbacks,
+  Scene3DFrame,
+  Scene3DLegend,
+  Scene3DModel,
+  Scene3DOptions,
+  ScreenPoint,
+  ViewName,
 } from './types.ts';
 import { Viewports } from './viewports.ts';
 
@@ -55,7 +54,7 @@ export class Scene3D {
     this.canvas = canvas;
     this.callbacks = callbacks;
     const context = canvas.getContext('webgl2', { antialias: true, alpha: false });
-    if (!context) throw new NoWebGLError('This browser gives no WebGL 2 context.');
+    if (!context) throw new Error('This browser gives no WebGL 2 context.');
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.autoClear = false;
     this.interaction = new Interaction(canvas, this.orbitCamera, (x, y) => this.viewAt(x, y), {
@@ -142,11 +141,11 @@ export class Scene3D {
     }
   }
 
-  get camera(): CameraState {
+  get camera(): Camera {
     return this.orbitCamera.state;
   }
 
-  setCamera(state: CameraState): void {
+  setCamera(state: Camera): void {
     this.orbitCamera.state = state;
     this.framing = 'reader';
     this.callbacks.onInvalidate();

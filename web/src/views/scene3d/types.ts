@@ -1,3 +1,4 @@
+import type { Camera } from '../../app/state.ts';
 import type { Scene } from '../../scene/scene.ts';
 import type { Frame } from '../../solver/frame.ts';
 import type { Palette } from './palette.ts';
@@ -52,17 +53,9 @@ export interface Scene3DCallbacks {
   /** `target`: #3, metres. */
   onDrag(vertex: number, target: Float64Array): void;
   onDragEnd(vertex: number): void;
-  /** The pointer rests on something else than before, at CSS pixels of the canvas. */
-  onHover(hit: Hit | null, x: number, y: number): void;
-  onCameraChange(camera: CameraState): void;
+  onCameraChange(camera: Camera): void;
   onLegend(legend: Scene3DLegend): void;
   onContextLost(): void;
-}
-
-/** Metres; the camera's up is +y. */
-export interface CameraState {
-  position: [number, number, number];
-  target: [number, number, number];
 }
 
 /** CSS pixels from the canvas's top left corner. */
@@ -76,8 +69,4 @@ export interface Rectangle {
 export interface ScreenPoint {
   x: number;
   y: number;
-}
-
-export class NoWebGLError extends Error {
-  override name = 'NoWebGLError';
 }
