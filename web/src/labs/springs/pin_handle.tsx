@@ -3,7 +3,7 @@ import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { frame, pins, scene } from '../../app/state.ts';
 import { diagonal, screenAxes } from './geometry.ts';
-import { pictures, scene3D } from './stage_signals.ts';
+import { canvasOrigin, pictures, scene3D } from './stage_signals.ts';
 
 /** One press of an arrow key, as a fraction of the scene's diagonal; ten times as much with Shift. */
 const stride = 0.005;
@@ -26,6 +26,7 @@ export function PinHandle({ actions }: { actions: Actions }) {
   const row = Math.min(chosen, pinned.length - 1);
   const vertex = pinned[row];
   const target = [...targets.subarray(3 * row, 3 * row + 3)];
+  const origin = canvasOrigin.value;
   const place = view.projectToScreen(vertex, 'global');
   const [x, y, z] = target.map((value) => value.toFixed(3));
 
@@ -47,7 +48,7 @@ export function PinHandle({ actions }: { actions: Actions }) {
     <button
       type="button"
       class="pin-handle"
-      style={place ? { left: `${place.x}px`, top: `${place.y}px` } : undefined}
+      style={place ? { left: `${origin.x + place.x}px`, top: `${origin.y + place.y}px` } : undefined}
       aria-label={t('page.pinHandle.label', { row: row + 1, count: pinned.length, vertex, x, y, z })}
       onFocus={() => actions.selectVertex(vertex)}
       onKeyDown={onKeyDown}

@@ -9,7 +9,7 @@ import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
 import { HalfStepAnimation } from './half_step_animation.ts';
-import { legend, pictures, scene3D } from './stage_signals.ts';
+import { canvasOrigin, legend, pictures, scene3D } from './stage_signals.ts';
 
 /** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */
 export function Stage({ actions }: { actions: Actions }) {
@@ -100,21 +100,34 @@ function positionOf(vertex: number): [number, number, number] {
   return [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
 }
 
-/** Tells the 3D view where the page has put its two views, whenever the layout changes. Returns how to stop. */
+/**
+ * Lays the canvas over the page's two views, and no farther: what stands below them changes its height with every half-step, and a canvas that
+ * changes its size flickers. Tells the 3D view where on it they are. Returns how to stop.
+ */
 function followLayout(canvas: HTMLCanvasElement, view: Scene3D): () => void {
   const stage = canvas.parentElement as HTMLElement;
+  const elements = (['local', 'global'] as const).map(
+    (name) => stage.querySelector(`[data-view="${name}"]`) as HTMLElement,
+  );
   const places = () => {
-    const origin = canvas.getBoundingClientRect();
-    const place = (name: 'local' | 'global') => {
-      const { left, top, width, height } = (
-        stage.querySelector(`[data-view="${name}"]`) as HTMLElement
-      ).getBoundingClientRect();
-      return { x: left - origin.left, y: top - origin.top, width, height };
-    };
-    view.setViewports(place('local'), place('global'));
+    const origin = stage.getBoundingClientRect();
+    const [local, global] = elements.map((element) => element.getBoundingClientRect());
+    const x = Math.floor(local.left - origin.left);
+    const y = Math.floor(local.top - origin.top);
+    canvas.style.left = `${x}px`;
+    canvas.style.top = `${y}px`;
+    canvas.style.width = `${Math.ceil(global.right - origin.left) - x}px`;
+    canvas.style.height = `${Math.ceil(global.bottom - origin.top) - y}px`;
+    canvasOrigin.value = { x, y };
+    const onCanvas = ({ left, top, width, height }: DOMRect) => ({
+      x: left - origin.left - x,
+      y: top - origin.top - y,
+      width,
+      height,
+    });
+    view.setViewports(onCanvas(local), onCanvas(global));
   };
   const observer = new ResizeObserver(places);
-  observer.observe(stage);
-  for (const element of stage.querySelectorAll('[data-view]')) observer.observe(element);
+  for (const element of [stage, ...elements]) observer.observe(element);
   return () => observer.disconnect();
 }
