@@ -16,6 +16,9 @@ export const usualParameters: Parameters = {
   w: 1e10,
   mass_scale: 1,
   iterations: 10,
+  method: 'local-global',
+  stop_gradient: 0,
+  stop_decrease: 0,
   gravity: 9.8,
   wind: false,
   path: 'plain', // the reference; fast_path.test.ts holds the other to it

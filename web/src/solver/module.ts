@@ -29,6 +29,12 @@ export interface Status {
 
 export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'path' | 'storage';
 
+export const methods = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
+export type Method = (typeof methods)[number];
+
+/** Why a time step ended: after K iterations, by a stopping rule, or because no further step lowers E by more than rounding. */
+export type StopReason = 'iterations' | 'gradient' | 'decrease' | 'rounding';
+
 export interface Parameters {
   /** N/m. */
   k: number;
@@ -38,8 +44,14 @@ export interface Parameters {
   w: number;
   /** Dimensionless: multiplies every mass of the scene. */
   mass_scale: number;
-  /** Local/global iterations K of a time step. */
+  /** K: the most iterations of a time step. */
   iterations: number;
+  /** How p gets from one iterate to the next; local-global is the paper's. */
+  method: Method;
+  /** N: a time step also ends where no component of ∂E/∂p of a vertex that is free to move is larger. 0: never. */
+  stop_gradient: number;
+  /** ε: and once an iteration lowers E by no more than ε max(1 J, |E|). 0: never. */
+  stop_decrease: number;
   /** m/s²: g = (0, −gravity, 0). */
   gravity: number;
   /** Whether the course's wind blows. */
@@ -90,7 +102,7 @@ export interface Simulation {
 
   /** Full speed, records nothing: completes the current time step if the cursor is inside it, otherwise runs the next one whole. Cursor to accept. */
   step(): Status;
-  /** Moves the cursor inside the current time step (0 … 2K+1), tracing as far as needed. */
+  /** Moves the cursor inside the current time step (0 … 2K+1), tracing as far as needed; beyond an earlier end, to that. */
   seek(half_step: number): Status;
   /** From accept: p^{t−Δt} ← p^t, p^t ← p, cursor to (step+1, 0). From elsewhere: completes the step first. */
   next_step(): Status;
@@ -101,8 +113,10 @@ export interface Simulation {
 
   step_number(): number;
   half_step(): number;
-  /** 2K+1. */
+  /** 2K+1; once the current time step is known to end after k < K iterations, 2k+1. */
   last_half_step(): number;
+  /** Of the current time step; empty as long as its end is not known. */
+  stop_reason(): StopReason | '';
 
   vertex_count(): number;
   spring_count(): number;
@@ -125,10 +139,15 @@ export interface Simulation {
   targets(): Float64Array;
   /**
    * One row of `traceColumns` per half-step traced so far in this time step (0 … furthest), row-major.
-   * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, residual ‖Qp−b‖∞ and change max_i‖p_i − p_before_i‖
-   * (both 0 unless global).
+   * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, gradient ‖∂E/∂p‖∞ of the vertices that are free to
+   * move, residual ‖Qp−b‖∞ and change max_i‖p_i − p_before_i‖ (both 0 unless global).
    */
   trace(): Float64Array;
+  /**
+   * The current time step by any method, from p^t with the pins where they are held; cursor and trace stay. A row of `compareColumns` for every
+   * iteration from 0 until `iterations` are made or E falls no further, row-major: E(p^k) − E(p^0) and ‖∂E/∂p‖∞ of the vertices that are free.
+   */
+  compare(method: Method, iterations: number): { status: Status; rows: Float64Array };
   probe_vertex(i: number): VertexProbe;
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;
@@ -165,9 +184,13 @@ export const traceColumns = [
   'inertia',
   'external',
   'pin',
+  'gradient',
   'residual',
   'change',
 ] as const;
+
+/** J, N. */
+export const compareColumns = ['iteration', 'change', 'gradient'] as const;
 
 export interface SolverModule {
   Simulation: new () => Simulation;

@@ -3,5 +3,18 @@ import type { Parameters } from './module.ts';
 
 /** The parameters of a scene as its file gives them, and where it gives none those of the course: gravity 9.8 m/s², no wind. */
 export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameters {
-  return { k, delta_t, w, iterations, mass_scale: 1, gravity: 9.8, wind: false, path: 'fast', storage: 'sparse' };
+  return {
+    k,
+    delta_t,
+    w,
+    iterations,
+    method: 'local-global',
+    stop_gradient: 0,
+    stop_decrease: 0,
+    mass_scale: 1,
+    gravity: 9.8,
+    wind: false,
+    path: 'fast',
+    storage: 'sparse',
+  };
 }
