@@ -31,26 +31,26 @@ void for_each_strip(int columns, DoStrip do_strip) {
 /// x_R ← x_R + G x_C.
 /// @param G  height by Width
 template <int Width>
-void add_product(const double* G, int height, const int* rows, const WidePoint* x_C, WidePoint* x) {
+void add_product(const double* G, int height, const int* rows, int C, double* x) {
   WidePoint kept[Width];
-  for (int c = 0; c < Width; ++c) kept[c] = x_C[c];
+  for (int c = 0; c < Width; ++c) kept[c] = load_point(x, C + c);
   for (int i = 0; i < height; ++i) {
-    WidePoint sum = x[rows[i]];
+    WidePoint sum = load_point(x, rows[i]);
     for (int c = 0; c < Width; ++c) sum += G[i * Width + c] * kept[c];
-    x[rows[i]] = sum;
+    store_point(sum, x, rows[i]);
   }
 }
 
 /// x_C ← Bᵀ z.
 /// @param B  height by Width
 template <int Width>
-void transposed_product(const double* B, int height, const WidePoint* z, WidePoint* x_C) {
+void transposed_product(const double* B, int height, const double* z, int C, double* x) {
   WidePoint sums[Width];
   for (int i = 0; i < height; ++i) {
-    const WidePoint z_i = z[i];
+    const WidePoint z_i = load_point(z, i);
     for (int c = 0; c < Width; ++c) sums[c] += B[i * Width + c] * z_i;
   }
-  for (int c = 0; c < Width; ++c) x_C[c] = sums[c];
+  for (int c = 0; c < Width; ++c) store_point(sums[c], x, C + c);
 }
 
 /// From [L_CC; L_RC], row-major, to [D; G] in strips.
@@ -101,7 +101,7 @@ Factorisation BlockSolver::factorise(const SymbolicCholesky& symbolic, double co
   for (const Supernode& node : symbolic.supernodes) {
     inversion.invert(node, panels_.data() + node.panel);
   }
-  gathered_.resize(symbolic.largest_panel);
+  gathered_.resize(symbolic.largest_panel, 4);
   return outcome;
 }
 
@@ -112,18 +112,20 @@ void BlockSolver::solve(const SymbolicCholesky& symbolic, WidePoints& x) {
     const int length = node.width + node.height;
     for_each_strip(node.width, [&](int first, auto strip) {
       const double* G = panel + first * length + node.width * strip;
-      add_product<strip>(G, node.height, rows, &x[node.first_column + first], x.data());
+      add_product<strip>(G, node.height, rows, node.first_column + first, x.data());
     });
   }
   for (auto node = symbolic.supernodes.rbegin(); node != symbolic.supernodes.rend(); ++node) {
     const double* panel = panels_.data() + node->panel;
     const int* rows = symbolic.rows.data() + node->rows;
     const int length = node->width + node->height;
-    WidePoint* x_C = &x[node->first_column];
-    std::copy(x_C, x_C + node->width, gathered_.begin());
-    for (int i = 0; i < node->height; ++i) gathered_[node->width + i] = x[rows[i]];
+    gathered_.topRows(node->width) = x.middleRows(node->first_column, node->width);
+    for (int i = 0; i < node->height; ++i) {
+      store_point(load_point(x.data(), rows[i]), gathered_.data(), node->width + i);
+    }
     for_each_strip(node->width, [&](int first, auto strip) {
-      transposed_product<strip>(panel + first * length, length, gathered_.data(), x_C + first);
+      transposed_product<strip>(panel + first * length, length, gathered_.data(),
+                                node->first_column + first, x.data());
     });
   }
 }

@@ -17,8 +17,9 @@ struct TwoForces {
   WidePoint of_a, of_b;  // N
   Pair stretches;        // m
 
-  TwoForces(const RowSpring& a, const RowSpring& b, Pair k, const WidePoint* p) {
-    WidePoint x_a = p[a.i] - p[a.j], x_b = p[b.i] - p[b.j];
+  TwoForces(const RowSpring& a, const RowSpring& b, Pair k, const double* p) {
+    WidePoint x_a = load_point(p, a.i) - load_point(p, a.j);
+    WidePoint x_b = load_point(p, b.i) - load_point(p, b.j);
     const Pair lengths = square_root(sums(half_products(x_a, x_a), half_products(x_b, x_b)));
     stretches = lengths - Pair{a.r, b.r};
     Pair divisors = lengths;
@@ -35,9 +36,9 @@ struct TwoForces {
   }
 };
 
-void add_force(const RowSpring& spring, WidePoint force, WidePoint* g) {
-  g[spring.i] += force;
-  g[spring.j] -= force;
+void add_force(const RowSpring& spring, WidePoint force, double* g) {
+  store_point(load_point(g, spring.i) + force, g, spring.i);
+  store_point(load_point(g, spring.j) - force, g, spring.j);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ Factorisation FastSystem::factorise(double k, const Vector& m, double delta_t,
   k_ = k;
   inertia_.resize(m.size());
   for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (delta_t * delta_t);
+  inertia_.tail(m.size() - free_count_).setZero();
   Vector diagonal = inertia_.head(free_count_);
   for (const RowSpring& spring : springs_) {
     for (const int row : {spring.i, spring.j}) {
@@ -73,42 +74,39 @@ void FastSystem::begin(const TimeStep& step) {
   for (int c = 0; c < step.pinned.size(); ++c) {
     const int i = step.pinned(c);
     objective_offset_ += 0.5 * inertia(i) * (step.targets.row(c) - s.row(i)).squaredNorm();
-    const auto target = step.targets.row(c);
-    inertial_[row_[i]] = {Pair{target(0), target(1)}, Pair{target(2), 0}};
+    inertial_.row(row_[i]) << step.targets.row(c), 0;
   }
 }
 
 WidePoints FastSystem::rows_from_points(const Points& p) const {
-  WidePoints rows(p.rows());
-  for (int i = 0; i < p.rows(); ++i) {
-    rows[row_[i]] = {Pair{p(i, 0), p(i, 1)}, Pair{p(i, 2), 0}};
-  }
+  WidePoints rows(p.rows(), 4);
+  for (int i = 0; i < p.rows(); ++i) rows.row(row_[i]) << p.row(i), 0;
   return rows;
 }
 
 void FastSystem::points_from_rows(const WidePoints& rows, Points& p) const {
-  p.resize(rows.size(), 3);
-  for (int i = 0; i < p.rows(); ++i) {
-    const WidePoint& point = rows[row_[i]];
-    p.row(i) << point.xy[0], point.xy[1], point.z0[0];
-  }
+  p.resize(rows.rows(), 3);
+  for (int i = 0; i < p.rows(); ++i) p.row(i) = rows.row(row_[i]).head<3>();
 }
 
 void FastSystem::hold_pins(WidePoints& p) const {
-  std::copy(inertial_.begin() + free_count_, inertial_.end(), p.begin() + free_count_);
+  const Eigen::Index pinned_count = p.rows() - free_count_;
+  p.bottomRows(pinned_count) = inertial_.bottomRows(pinned_count);
 }
 
 // ∂E/∂p = M/Δt² (p - s) + k Aᵀ(A p - d(p))
 double FastSystem::gradient(const WidePoints& p, WidePoints& g) const {
-  g.resize(p.size());
+  g.resizeLike(p);
   Pair inertia = both(0);  // J
-  for (int i = 0; i < free_count_; ++i) {
-    const WidePoint away = p[i] - inertial_[i];
-    g[i] = inertia_(i) * away;
-    inertia += half_products(g[i], away);
+  for (int i = 0; i < p.rows(); ++i) {
+    const WidePoint away = load_point(p.data(), i) - load_point(inertial_.data(), i);
+    const WidePoint force = inertia_(i) * away;
+    inertia += half_products(force, away);
+    store_point(force, g.data(), i);
   }
-  std::fill(g.begin() + free_count_, g.end(), WidePoint());
-  return 0.5 * sum(inertia) + add_elastic_gradient(springs_, k_, p, g);
+  const double potential = add_elastic_gradient(springs_, k_, p, g);
+  g.bottomRows(p.rows() - free_count_).setZero();
+  return 0.5 * sum(inertia) + potential;
 }
 
 void FastSystem::apply_inverse(WidePoints& g) { solver_.solve(pattern_, g); }
@@ -119,11 +117,11 @@ void FastSystem::iterate(WidePoints& p, int iterations) {
     // The local step saw the pins where they were, the global step has them where they are held:
     // in A p, not in d.
     for (const auto& [free, pinned] : held_springs_) {
-      g_[free] += k_ * (p[pinned] - inertial_[pinned]);
+      g_.row(free) += k_ * (p.row(pinned) - inertial_.row(pinned));
     }
     hold_pins(p);
     apply_inverse(g_);
-    for (int i = 0; i < free_count_; ++i) p[i] -= g_[i];
+    p -= g_;
   }
 }
 

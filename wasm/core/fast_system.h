@@ -55,8 +55,7 @@ class FastSystem {
   void hold_pins(WidePoints& p) const;
 
   /// @param p  #V rows, m
-  /// @param g  #V rows, N: ∂E/∂p; in rows of pinned vertices, what the springs pull at them
-  /// (result)
+  /// @param g  #V rows, N: ∂E/∂p, 0 in rows of pinned vertices (result)
   /// @return  E(p) - objective_offset(), J
   double gradient(const WidePoints& p, WidePoints& g) const;
 
@@ -64,7 +63,7 @@ class FastSystem {
   /// are not rounded away; its sum with gradient() is objective() at p.
   double objective_offset() const { return objective_offset_; }
 
-  /// g ← Q⁻¹g for the rows of free vertices.
+  /// g ← Q⁻¹g; the rows of pinned vertices stay as they are.
   void apply_inverse(WidePoints& g);
 
   /// Local and global step in turn, `iterations` times. Pinned vertices may start anywhere: as in
@@ -79,7 +78,7 @@ class FastSystem {
   SymbolicCholesky pattern_;
   BlockSolver solver_;
   double k_ = 0;                 // N/m
-  Vector inertia_;               // #V, by rows, N/m: m/Δt²
+  Vector inertia_;               // #V, by rows, N/m: m/Δt², 0 for pinned vertices
   WidePoints inertial_;          // #V rows, m: where vertices go without springs, or are held
   double objective_offset_ = 0;  // J
   WidePoints g_;                 // #V rows, N: scratch

@@ -17,6 +17,7 @@ inline Pair load(const double* values) {
   std::memcpy(&pair, values, sizeof pair);
   return pair;
 }
+inline void store(Pair pair, double* values) { std::memcpy(values, &pair, sizeof pair); }
 
 inline Pair square_root(Pair a) { return Pair{std::sqrt(a[0]), std::sqrt(a[1])}; }
 

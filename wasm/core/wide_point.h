@@ -1,20 +1,29 @@
 #pragma once
 
-#include <vector>
+#include <Eigen/Core>
 
 #include "pair.h"
 
 namespace mass_spring {
 
-/// A point, padded to two registers: an entry of a matrix meets its three coordinates in two
-/// multiplications. The fourth number stays 0.
+/// #V by 4: one point a row, like Points, and a 0.
+using WidePoints = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// A row of WidePoints in two registers: an entry of a matrix meets its three coordinates in two
+/// multiplications.
 struct WidePoint {
   Pair xy = both(0);
   Pair z0 = both(0);
 };
 
-/// One point a row, like Points.
-using WidePoints = std::vector<WidePoint>;
+/// @param rows  of WidePoints
+inline WidePoint load_point(const double* rows, int i) {
+  return {load(rows + 4 * i), load(rows + 4 * i + 2)};
+}
+inline void store_point(WidePoint a, double* rows, int i) {
+  store(a.xy, rows + 4 * i);
+  store(a.z0, rows + 4 * i + 2);
+}
 
 inline WidePoint operator+(WidePoint a, WidePoint b) { return {a.xy + b.xy, a.z0 + b.z0}; }
 inline WidePoint operator-(WidePoint a, WidePoint b) { return {a.xy - b.xy, a.z0 - b.z0}; }
@@ -22,7 +31,6 @@ inline WidePoint operator*(double factor, WidePoint a) {
   return {both(factor) * a.xy, both(factor) * a.z0};
 }
 inline WidePoint& operator+=(WidePoint& a, WidePoint b) { return a = a + b; }
-inline WidePoint& operator-=(WidePoint& a, WidePoint b) { return a = a - b; }
 
 /// Two numbers whose sum is the scalar product.
 inline Pair half_products(WidePoint a, WidePoint b) { return a.xy * b.xy + a.z0 * b.z0; }

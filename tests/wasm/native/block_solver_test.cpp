@@ -72,16 +72,15 @@ TEST_CASE("(P Q P') x = b is solved") {
     BlockSolver solver;
     REQUIRE(solver.factorise(system.symbolic, 1, system.diagonal, go_on) == Factorisation::done);
     const Points b = random_points(n, 13);
-    WidePoints x(n + 1);
-    for (int i = 0; i < n; ++i) x[i] = {Pair{b(i, 0), b(i, 1)}, Pair{b(i, 2), 0}};
-    x[n] = {both(5), both(6)};
+    const Eigen::RowVector4d no_column(5, 6, 7, 8);
+    WidePoints x(n + 1, 4);
+    x << b, Vector::Zero(n), no_column;
     solver.solve(system.symbolic, x);
-    Points solution(n, 3);
-    for (int i = 0; i < n; ++i) solution.row(i) << x[i].xy[0], x[i].xy[1], x[i].z0[0];
+    const Points solution = x.topLeftCorner(n, 3);
     // Q's condition is below 3000, b of size 1.
     CHECK((system.Q * solution - b).cwiseAbs().maxCoeff() < 1e-12);
-    CHECK(x[n].xy[0] == 5);
-    for (const WidePoint& point : x) CHECK(point.z0[1] == (&point == &x[n] ? 6 : 0));
+    CHECK(x.col(3).head(n) == Vector::Zero(n));
+    CHECK(x.row(n) == no_column);
   }
 }
 
