@@ -56,7 +56,7 @@ const parameterErrors: [Partial<Parameters>, Status][] = [
   [{ w: 0 }, { code: 'not_positive', field: 'w', index: -1, value: 0 }],
   [{ mass_scale: 0 }, { code: 'not_positive', field: 'mass_scale', index: -1, value: 0 }],
   [{ iterations: 0 }, { code: 'not_positive', field: 'iterations', index: -1, value: 0 }],
-  [{ iterations: 1e6 }, { code: 'too_large', field: 'iterations', index: -1, value: 144e6 }],
+  [{ iterations: 1e6 }, { code: 'too_large', field: 'iterations', index: -1, value: 160e6 }],
   [{ gravity: Number.NaN }, { code: 'not_finite', field: 'gravity', index: -1, value: Number.NaN }],
   // Vertex 4, in the middle of the net, has six springs of k and 1 kg.
   [

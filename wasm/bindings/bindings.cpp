@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -56,6 +57,32 @@ void set_path(Parameters& parameters, const std::string& name) {
   parameters.path = name == "fast" ? Path::fast : Path::plain;
 }
 
+const std::string& method(const Parameters& parameters) {
+  return method_names()[static_cast<int>(parameters.method)];
+}
+Method method_of(const std::string& name) {
+  const auto& names = method_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Method::local_global : static_cast<Method>(found - names.begin());
+}
+void set_method(Parameters& parameters, const std::string& name) {
+  parameters.method = method_of(name);
+}
+
+std::string stop_reason(const Simulation& simulation) {
+  const auto& outcome = simulation.outcome();
+  return outcome ? stop_reason_names()[static_cast<int>(outcome->reason)] : "";
+}
+
+val compare(Simulation& simulation, const std::string& method, int iterations) {
+  std::vector<double> rows;
+  const Status status = simulation.compare(method_of(method), iterations, rows);
+  val object = val::object();
+  object.set("status", status);
+  object.set("rows", copy("Float64Array", rows));
+  return object;
+}
+
 val matrix(int rows, int columns, const Triplets& triplets) {
   std::vector<int> i, j;
   std::vector<double> value;
@@ -73,7 +100,7 @@ val matrix(int rows, int columns, const Triplets& triplets) {
   return object;
 }
 
-val probe(const Simulation& simulation, int i) {
+val probe(Simulation& simulation, int i) {
   const VertexProbe parts = simulation.probe_vertex(i);
   val object = val::object();
   object.set("y", val::array(parts.y.begin(), parts.y.end()));
@@ -108,6 +135,9 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("w", &Parameters::w)
       .field("mass_scale", &Parameters::mass_scale)
       .field("iterations", &Parameters::iterations)
+      .field("method", &method, &set_method)
+      .field("stop_gradient", &Parameters::stop_gradient)
+      .field("stop_decrease", &Parameters::stop_decrease)
       .field("gravity", &Parameters::gravity)
       .field("wind", &Parameters::wind)
       .field("path", &path, &set_path)
@@ -146,6 +176,10 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function("step_number", &S::step_number)
       .function("half_step", &S::half_step)
       .function("last_half_step", &S::last_half_step)
+      .function("stop_reason", &stop_reason)
+      .function("compare", &compare)
+      .function("rehearse_local_step", &S::rehearse_local_step)
+      .function("rehearse_global_step", &S::rehearse_global_step)
       .function("vertex_count", &vertices)
       .function("spring_count", &springs)
       .function(
@@ -182,7 +216,7 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "Q", +[](const S& s) { return matrix(vertices(s), vertices(s), s.Q()); })
       .function(
-          "y", +[](const S& s) { return lend(s.y()); })
+          "y", +[](S& s) { return lend(s.y()); })
       .function(
           "objective_at", +[](const S& s, val p) { return s.objective_at(doubles(p)); })
       .function(

@@ -19,6 +19,9 @@ class DenseCholesky {
   /// @param p  #V by 3 (result)
   void solve(const Points& b, DenseMatrix& x, Points& p) const;
 
+  /// That L takes.
+  double bytes() const { return static_cast<double>(L_.size()) * sizeof(double); }
+
  private:
   DenseMatrix L_;  // #V by #V, the lower triangle; above it, the unused half of Q
 };

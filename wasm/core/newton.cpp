@@ -1,6 +1,7 @@
 #include "newton.h"
 
 #include <array>
+#include <vector>
 
 #include "backtrack.h"
 #include "gradient.h"
@@ -15,40 +16,67 @@ namespace {
 
 constexpr std::array<double, 6> shares_left_out = {0, 1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1};
 
-SparseMatrix hessian_matrix(const TimeStep& step, const Points& p, double left_out) {
+/// The rows and columns of held vertices become those of the identity: they do not move.
+Triplets without_held(const Triplets& H, const Indices& pinned, int n) {
+  std::vector<bool> held(n, false);
+  for (const int i : pinned) held[i] = true;
+  Triplets free;
+  free.reserve(H.size());
+  for (const auto& entry : H) {
+    if (!held[entry.row() / 3] && !held[entry.col() / 3]) free.push_back(entry);
+  }
+  for (const int i : pinned) {
+    for (int c = 0; c < 3; ++c) free.emplace_back(3 * i + c, 3 * i + c, 1);
+  }
+  return free;
+}
+
+SparseMatrix hessian_matrix(const NewtonProblem& problem, const Points& p, double left_out) {
+  const TimeStep& step = problem.step();
+  Triplets entries = hessian(step, p, left_out);
+  if (problem.holds_pins()) {
+    entries = without_held(entries, step.pinned, static_cast<int>(p.rows()));
+  }
   const int size = static_cast<int>(p.size());
   SparseMatrix H;
-  matrix_from_triplets(size, size, hessian(step, p, left_out), H);
+  matrix_from_triplets(size, size, entries, H);
   return H;
 }
 
 }  // namespace
 
-void Newton::begin(const TimeStep& step, const Points& p) {
-  standing_ = {};
-  caution_ = 0;
-  evaluate(step, p);
-  llt_.analyzePattern(hessian_matrix(step, p, 0));
+Points NewtonProblem::field_from_points(Points p) const {
+  if (holds_pins()) p(step_.pinned, Eigen::all) = step_.targets;
+  return p;
 }
 
-bool Newton::iterate(const TimeStep& step, Points& p) {
+void Newton::begin(const NewtonProblem& problem, const Points& p) {
+  standing_ = {};
+  caution_ = 0;
+  evaluate(problem, p);
+  llt_.analyzePattern(hessian_matrix(problem, p, 0));
+}
+
+bool Newton::iterate(const NewtonProblem& problem, Points& p) {
   // A little bolder than last time, then ever more cautious.
   if (caution_ > 0) --caution_;
   for (; caution_ < shares_left_out.size(); ++caution_) {
-    if (descend(step, shares_left_out[caution_], p)) return true;
+    if (descend(problem, shares_left_out[caution_], p)) return true;
   }
   return false;
 }
 
-void Newton::evaluate(const TimeStep& step, const Points& p) {
+void Newton::evaluate(const NewtonProblem& problem, const Points& p) {
+  const TimeStep& step = problem.step();
   standing_.objective = objective(step, p).objective;
   gradient(step, p, standing_.gradient);
+  if (problem.holds_pins()) standing_.gradient(step.pinned, Eigen::all).setZero();
   ++standing_.gradient_evaluations;
 }
 
 /// p ← p - α H⁻¹ ∂E/∂p, if that lowers E.
-bool Newton::descend(const TimeStep& step, double left_out, Points& p) {
-  llt_.factorize(hessian_matrix(step, p, left_out));
+bool Newton::descend(const NewtonProblem& problem, double left_out, Points& p) {
+  llt_.factorize(hessian_matrix(problem, p, left_out));
   if (llt_.info() != Eigen::Success) return false;
   x_.resizeLike(p);
   x_.reshaped<Eigen::RowMajor>() = llt_.solve(standing_.gradient.reshaped<Eigen::RowMajor>());
@@ -57,11 +85,11 @@ bool Newton::descend(const TimeStep& step, double left_out, Points& p) {
   if (!(slope < 0)) return false;  // not-a-number where a spring has collapsed
   const auto falls = [&](double alpha, double change) {
     q_ = p - alpha * x_;
-    return objective_change(step, p, q_) < change;
+    return objective_change(problem.step(), p, q_) < change;
   };
   if (!backtrack(slope, falls) || q_ == p) return false;
   p.swap(q_);
-  evaluate(step, p);
+  evaluate(problem, p);
   return true;
 }
 

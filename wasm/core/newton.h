@@ -2,11 +2,34 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "largest_free_component.h"
 #include "standing.h"
 #include "time_step.h"
 #include "types.h"
 
 namespace mass_spring {
+
+enum class Pins { penalised, held };
+
+/// A time step as Newton's method sees it. Lends the step.
+class NewtonProblem {
+ public:
+  using Field = Points;
+
+  NewtonProblem(const TimeStep& step, Pins pins = Pins::penalised) : step_(step), pins_(pins) {}
+
+  const TimeStep& step() const { return step_; }
+  bool holds_pins() const { return pins_ == Pins::held; }
+
+  double gradient_norm(const Points& g) const { return largest_free_component(g, step_.pinned); }
+  /// #V by 3, m: with held pins where they are held
+  Points field_from_points(Points p) const;
+  void points_from_field(const Points& field, Points& p) const { p = field; }
+
+ private:
+  const TimeStep& step_;
+  Pins pins_;
+};
 
 /// Newton's method with the exact Hessian and a line search: run to its end, the minimiser against
 /// which every other method is measured. Where the exact Hessian gives no step that lowers E, not
@@ -19,18 +42,19 @@ namespace mass_spring {
 /// has about nine times the entries of Q's.
 class Newton {
  public:
-  void begin(const TimeStep& step, const Points& p);
+  /// @param p  #V by 3, m; where pins are held, they have to be there
+  void begin(const NewtonProblem& problem, const Points& p);
 
-  /// @param step  as at begin
+  /// @param problem  as at begin
   /// @param p  #V by 3, m (updated)
   /// @return whether p changed; if not, it is a minimiser up to rounding
-  bool iterate(const TimeStep& step, Points& p);
+  bool iterate(const NewtonProblem& problem, Points& p);
 
   const Standing<Points>& standing() const { return standing_; }
 
  private:
-  void evaluate(const TimeStep& step, const Points& p);
-  bool descend(const TimeStep& step, double left_out, Points& p);
+  void evaluate(const NewtonProblem& problem, const Points& p);
+  bool descend(const NewtonProblem& problem, double left_out, Points& p);
 
   Standing<Points> standing_;
   std::size_t caution_ = 0;                 // which share of negative curvature to leave out

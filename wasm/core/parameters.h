@@ -1,5 +1,7 @@
 #pragma once
 
+#include "method.h"
+
 namespace mass_spring {
 
 enum class Storage { sparse, dense };
@@ -13,8 +15,11 @@ struct Parameters {
   double delta_t = 0;     // s: time step
   double w = 0;           // N/m: pin penalty
   double mass_scale = 1;  // dimensionless: multiplies every mass of the scene
-  int iterations = 0;     // local/global iterations of a time step
-  double gravity = 0;     // m/s^2: g = (0, -gravity, 0)
+  int iterations = 0;     // K: the most iterations of a time step
+  Method method = Method::local_global;
+  double stop_gradient = 0;  // N: as in StoppingRule
+  double stop_decrease = 0;  // dimensionless
+  double gravity = 0;        // m/s^2: g = (0, -gravity, 0)
   bool wind = false;
   Path path = Path::plain;
   Storage storage = Storage::sparse;  // of the plain path
@@ -27,8 +32,9 @@ inline Storage storage_in_use(const Parameters& parameters) {
 
 inline bool operator==(const Parameters& a, const Parameters& b) {
   return a.k == b.k && a.delta_t == b.delta_t && a.w == b.w && a.mass_scale == b.mass_scale &&
-         a.iterations == b.iterations && a.gravity == b.gravity && a.wind == b.wind &&
-         a.path == b.path && a.storage == b.storage;
+         a.iterations == b.iterations && a.method == b.method &&
+         a.stop_gradient == b.stop_gradient && a.stop_decrease == b.stop_decrease &&
+         a.gravity == b.gravity && a.wind == b.wind && a.path == b.path && a.storage == b.storage;
 }
 
 }  // namespace mass_spring

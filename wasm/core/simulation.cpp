@@ -109,8 +109,7 @@ Status Simulation::set_state(int step_number, const std::vector<double>& p_curr,
 
 Status Simulation::step() {
   if (!has_scene()) return no_scene;
-  return at_accept() ? advance([this] { return run(); })
-                     : replace(state_, "", [this] { return run(); });
+  return at_accept() ? advance([this] { return run(); }) : run();
 }
 
 Status Simulation::next_step() {
@@ -135,18 +134,41 @@ bool Simulation::previous_step() {
 
 Status Simulation::seek(int half_step) {
   if (!has_scene()) return no_scene;
-  if (half_step < 0 || half_step > last_half_step()) {
+  if (half_step < 0 || half_step > 2 * state_.parameters.iterations + 1) {
     return {StatusCode::index_out_of_range, "half_step", -1, static_cast<double>(half_step)};
   }
-  Cursor cursor = trace_.start_for(half_step, state_.time_step);
+  if (minimises() && !outcome_ && trace_.recorded() == 0) {
+    outcome_ = stop_at_start(stopping_rule(), minimiser_after(0));
+  }
+  // The end of a time step shows what the half-step before it made.
+  Cursor cursor = trace_.start_for(std::min(half_step, last_half_step() - 1), state_.time_step);
   while (true) {
     if (cursor.half_step == trace_.recorded()) record(cursor);
-    if (cursor.half_step == half_step) break;
+    if (cursor.half_step == std::min(half_step, last_half_step())) break;
     next_half_step(cursor);
     const Status status = validate_iterate(cursor.iterate.p);
     if (!status.ok()) return status;
   }
   cursor_ = std::move(cursor);
+  return {};
+}
+
+Status Simulation::compare(Method method, int iterations, std::vector<double>& rows) {
+  rows.clear();
+  if (!has_scene()) return no_scene;
+  const Status status = system_.check(method, state_.time_step);
+  if (!status.ok()) return status;
+  const std::unique_ptr<Minimiser> minimiser = system_.minimiser(method, state_.time_step);
+  minimiser->begin(state_.time_step.p_curr);
+  const double objective = minimiser->objective();
+  const auto add_row = [&] {
+    const double k = minimiser->iterations();
+    rows.insert(rows.end(), {k, minimiser->objective() - objective, minimiser->gradient_norm()});
+  };
+  add_row();
+  for (bool moved = true; moved && minimiser->iterations() < iterations; add_row()) {
+    moved = minimiser->iterate();
+  }
   return {};
 }
 
@@ -160,11 +182,16 @@ Status Simulation::replace(State next, const std::string& reason, Settle settle)
   if (!status.ok()) return status;
   std::swap(state_, next);
   Trace trace_before = std::exchange(trace_, {});
+  const std::optional<Outcome> outcome_before = std::exchange(outcome_, {});
+  minimiser_.reset();
   status = prepare(reason);
+  if (status.ok()) status = system_.check(state_.parameters.method, state_.time_step);
   if (status.ok()) status = settle();
   if (!status.ok()) {
     std::swap(state_, next);
     trace_ = std::move(trace_before);
+    outcome_ = outcome_before;
+    minimiser_.reset();
     prepare(reason);
   } else if (!reason.empty()) {
     ++factorisation_count_;
@@ -188,16 +215,31 @@ Status Simulation::replace_in_place(State next) {
                  [this] { return seek(std::min(cursor_.half_step, last_half_step())); });
 }
 
-/// From accept to the next time step: p^{t-Δt} <- p^t, p^t <- p.
+/// From accept to the next time step: p^{t-Δt} <- p^t, p^t <- p. If `settle` fails, all is as
+/// before.
 template <typename Settle>
 Status Simulation::advance(Settle settle) {
-  Points before = state_.time_step.p_prev;
-  State next = state_;
-  next.step_number += 1;
-  next.time_step.p_prev = state_.time_step.p_curr;
-  next.time_step.p_curr = cursor_.iterate.p;
-  const Status status = replace(std::move(next), "", settle);
-  if (status.ok()) history_.push(std::move(before));
+  TimeStep& step = state_.time_step;
+  Points before = std::move(step.p_prev);
+  step.p_prev = std::move(step.p_curr);
+  step.p_curr = cursor_.iterate.p;
+  state_.step_number += 1;
+  state_.derive_forces();
+  Trace trace_before = std::exchange(trace_, {});
+  const std::optional<Outcome> outcome_before = std::exchange(outcome_, {});
+  begin();
+  const Status status = settle();
+  if (status.ok()) {
+    history_.push(std::move(before));
+    return status;
+  }
+  step.p_curr = std::move(step.p_prev);
+  step.p_prev = std::move(before);
+  state_.step_number -= 1;
+  state_.derive_forces();
+  trace_ = std::move(trace_before);
+  outcome_ = outcome_before;
+  begin();
   return status;
 }
 
@@ -214,18 +256,64 @@ Status Simulation::prepare(const std::string& reason) {
     const Status status = system_.precompute(state_.V, step, step.r);
     if (!status.ok()) return status;
   }
-  system_.begin(step, workspace_);
+  begin();
   return {};
+}
+
+void Simulation::begin() {
+  system_.begin(state_.time_step, workspace_);
+  y_is_current_ = state_.parameters.path == Path::plain;
+  minimiser_has_begun_ = false;
+}
+
+StoppingRule Simulation::stopping_rule() const {
+  const Parameters& parameters = state_.parameters;
+  return {parameters.iterations, parameters.stop_gradient, parameters.stop_decrease};
+}
+
+/// Whether a minimiser makes the iterates. Where nothing but K ends a time step, local and global
+/// step do it by themselves, as the course spells them out.
+bool Simulation::minimises() const {
+  const Parameters& parameters = state_.parameters;
+  return parameters.method != Method::local_global || parameters.stop_gradient > 0 ||
+         parameters.stop_decrease > 0;
+}
+
+/// The minimiser after so many iterations of this time step.
+Minimiser& Simulation::minimiser_after(int iterations) {
+  if (!minimiser_) minimiser_ = system_.minimiser(state_.parameters.method, state_.time_step);
+  if (!minimiser_has_begun_ || minimiser_->iterations() > iterations) {
+    minimiser_->begin(state_.time_step.p_curr);
+    minimiser_has_begun_ = true;
+  }
+  while (minimiser_->iterations() < iterations) minimiser_->iterate();
+  return *minimiser_;
 }
 
 /// The whole time step at full speed, nothing recorded.
 Status Simulation::run() {
-  Cursor cursor;
-  cursor.half_step = last_half_step();
-  system_.fast_mass_springs_step(state_.time_step, workspace_, cursor.iterate,
-                                 state_.parameters.iterations);
-  const Status status = validate_iterate(cursor.iterate.p);
-  if (status.ok()) cursor_ = std::move(cursor);
+  const TimeStep& step = state_.time_step;
+  Iterate& iterate = spare_.iterate;
+  Outcome outcome = {StopReason::iterations, state_.parameters.iterations};
+  if (minimises()) {
+    Minimiser& minimiser = minimiser_after(0);
+    std::optional<Outcome> end = stop_at_start(stopping_rule(), minimiser);
+    minimiser.positions(iterate.p_before);
+    while (!end) {
+      minimiser.positions(iterate.p_before);
+      end = iterate_once(stopping_rule(), minimiser);
+    }
+    outcome = *end;
+    minimiser.positions(iterate.p);
+    local_step(step.E, step.r, iterate.p_before, iterate.d);
+  } else {
+    system_.fast_mass_springs_step(step, workspace_, iterate, outcome.iterations);
+  }
+  const Status status = validate_iterate(iterate.p);
+  if (!status.ok()) return status;
+  outcome_ = outcome;
+  spare_.half_step = last_half_step();
+  std::swap(cursor_, spare_);
   return status;
 }
 
@@ -236,24 +324,45 @@ void Simulation::next_half_step(Cursor& cursor) {
   Iterate& iterate = cursor.iterate;
   if (cursor.half_step % 2 == 1) {
     local_step(step.E, step.r, iterate.p, iterate.d);
-  } else {
-    iterate.p.swap(iterate.p_before);
-    system_.global_step(step, workspace_, iterate);
+    return;
   }
+  iterate.p.swap(iterate.p_before);
+  const int k = cursor.half_step / 2;
+  if (minimises()) {
+    Minimiser& minimiser = minimiser_after(k - 1);
+    const std::optional<Outcome> outcome = iterate_once(stopping_rule(), minimiser);
+    if (outcome) outcome_ = outcome;
+    minimiser.positions(iterate.p);
+    return;
+  }
+  y();
+  system_.global_step(step, workspace_, iterate);
+  if (k == state_.parameters.iterations) outcome_ = {StopReason::iterations, k};
 }
 
 void Simulation::record(const Cursor& cursor) {
-  const double residual =
-      cursor.at_global() ? system_.residual(state_.time_step, cursor.iterate.p, workspace_.b) : 0;
-  trace_.append(state_.time_step, cursor, residual, state_.parameters.iterations);
+  const TimeStep& step = state_.time_step;
+  double residual = 0;  // N
+  if (cursor.at_global() && !minimises()) {
+    residual = system_.residual(step, cursor.iterate.p, workspace_.b);
+  }
+  trace_.append(step, cursor, residual, state_.parameters.iterations);
 }
 
-VertexProbe Simulation::probe_vertex(int i) const {
+const Points& Simulation::y() {
+  if (has_scene() && !y_is_current_) {
+    system_.inertial_right_hand_side(state_.time_step, workspace_.y);
+    y_is_current_ = true;
+  }
+  return workspace_.y;
+}
+
+VertexProbe Simulation::probe_vertex(int i) {
   if (i < 0 || i >= state_.V.rows()) {
     const Eigen::RowVector3d nowhere = Eigen::RowVector3d::Constant(nan);
     return {nowhere, nowhere, nowhere, nowhere};
   }
-  return system_.probe(state_.time_step, cursor_.iterate, workspace_.y, i);
+  return system_.probe(state_.time_step, cursor_.iterate, y(), i);
 }
 
 Objective Simulation::objective_at(const std::vector<double>& p) const {
@@ -269,6 +378,14 @@ Points Simulation::gradient_at(const std::vector<double>& p) const {
     gradient(state_.time_step, as_points(p), g);
   }
   return g;
+}
+
+void Simulation::rehearse_local_step(int times) {
+  if (has_scene()) system_.rehearse_local_step(state_.time_step, times);
+}
+
+void Simulation::rehearse_global_step(int times) {
+  if (has_scene()) system_.rehearse_global_step(state_.time_step, times);
 }
 
 double Simulation::stiffness_number() const {

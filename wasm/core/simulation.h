@@ -1,13 +1,17 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "history.h"
+#include "minimiser.h"
 #include "objective.h"
 #include "parameters.h"
 #include "state.h"
 #include "status.h"
+#include "stopping_rule.h"
 #include "system.h"
 #include "time_step.h"
 #include "trace.h"
@@ -20,6 +24,9 @@ namespace mass_spring {
 /// was.
 class Simulation {
  public:
+  /// Iteration, E(p^k) - E(p^0) in J and ‖∂E/∂p^k‖∞ in N, of every iteration.
+  static constexpr int compare_columns = 3;
+
   Status set_scene(const std::vector<double>& V, const std::vector<int>& E,
                    const std::vector<double>& m, const std::vector<int>& pinned,
                    const Parameters& parameters);
@@ -37,21 +44,28 @@ class Simulation {
 
   int step_number() const { return state_.step_number; }
   int half_step() const { return cursor_.half_step; }
-  int last_half_step() const { return 2 * state_.parameters.iterations + 1; }
+  int last_half_step() const { return 2 * iterations() + 1; }
+  /// How the time step ends, once that is known.
+  const std::optional<Outcome>& outcome() const { return outcome_; }
 
   /// What the current time step is given; everything but p, d and the trace is in it.
   const TimeStep& time_step() const { return state_.time_step; }
   /// p, p_before and d of the cursor.
   const Iterate& iterate() const { return cursor_.iterate; }
-  const Points& y() const { return workspace_.y; }
+  const Points& y();
   const Trace& trace() const { return trace_; }
 
   /// Not-a-numbers where there is no vertex i.
-  VertexProbe probe_vertex(int i) const;
+  VertexProbe probe_vertex(int i);
   /// Not-a-numbers where p is not #V by 3.
   Objective objective_at(const std::vector<double>& p) const;
   /// No rows where p is not #V by 3.
   Points gradient_at(const std::vector<double>& p) const;
+  /// @param rows  #iterations + 1 by compare_columns, row-major (result)
+  Status compare(Method method, int iterations, std::vector<double>& rows);
+  /// So many local or global steps from p^t whose results nobody uses: to be timed.
+  void rehearse_local_step(int times);
+  void rehearse_global_step(int times);
   double stiffness_number() const;
   /// Without those of calls that failed.
   int factorisation_count() const { return factorisation_count_; }
@@ -65,21 +79,32 @@ class Simulation {
  private:
   bool has_scene() const { return state_.V.rows() > 0; }
   bool at_accept() const { return has_scene() && cursor_.half_step == last_half_step(); }
+  /// Of this time step; K as long as its end is not known.
+  int iterations() const { return outcome_ ? outcome_->iterations : state_.parameters.iterations; }
+  StoppingRule stopping_rule() const;
+  bool minimises() const;
   template <typename Settle>
   Status replace(State next, const std::string& reason, Settle settle);
   template <typename Settle>
   Status advance(Settle settle);
   Status replace_in_place(State next);
   Status prepare(const std::string& reason);
+  void begin();
   Status run();
   void next_half_step(Cursor& cursor);
   void record(const Cursor& cursor);
+  Minimiser& minimiser_after(int iterations);
 
   State state_;
   System system_;
   Workspace workspace_;
+  bool y_is_current_ = false;
   Cursor cursor_;
-  Trace trace_;  // of state_; empty when nothing of it was traced
+  Cursor spare_;  // keeps its memory from step to step
+  Trace trace_;   // of state_; empty when nothing of it was traced
+  std::optional<Outcome> outcome_;
+  std::unique_ptr<Minimiser> minimiser_;  // of state_'s method; none before it is used
+  bool minimiser_has_begun_ = false;      // this time step
   History history_;
   int factorisation_count_ = 0;
   std::string factorisation_reason_;

@@ -23,6 +23,12 @@ class SparseCholesky {
   /// @param p  #V by 3 (result)
   void solve(const Points& b, DenseMatrix& x, Points& p) const;
 
+  /// That L takes.
+  double bytes() const {
+    return static_cast<double>(llt_.matrixL().nestedExpression().nonZeros()) *
+           (sizeof(double) + sizeof(int));
+  }
+
  private:
   SparseMatrix Q_;  // #V by #V
   Eigen::SimplicialLLT<SparseMatrix> llt_;

@@ -6,6 +6,7 @@
 #include "wind.h"
 
 namespace mass_spring {
+
 void State::reset() {
   step_number = 1;
   time_step.p_curr = V;
@@ -21,6 +22,10 @@ void State::derive() {
   time_step.delta_t = parameters.delta_t;
   time_step.w = parameters.w;
   time_step.m = parameters.mass_scale * scene_m;
+  derive_forces();
+}
+
+void State::derive_forces() {
   gravity(time_step.m, parameters.gravity, time_step.f_ext);
   if (parameters.wind) {
     const double time = step_number * parameters.delta_t;  // s

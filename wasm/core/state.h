@@ -20,6 +20,9 @@ struct State {
 
   /// k, Δt, w and m of the time step follow from the parameters, f_ext from positions and time too.
   void derive();
+
+  /// f_ext alone: what changes from one time step to the next.
+  void derive_forces();
 };
 
 /// Whether two states of a scene at the same positions have the same trace.

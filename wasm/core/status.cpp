@@ -14,6 +14,7 @@ const std::vector<std::string>& status_code_names() {
       "duplicate_spring",
       "duplicate_pin",
       "not_positive",
+      "negative",
       "too_stiff",
       "too_large",
       "factorisation_failed",

@@ -16,6 +16,7 @@ enum class StatusCode {
   duplicate_spring,
   duplicate_pin,
   not_positive,
+  negative,
   too_stiff,
   too_large,
   factorisation_failed,

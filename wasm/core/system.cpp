@@ -3,14 +3,22 @@
 #include <cstdint>
 #include <limits>
 
+#include "anderson.h"
+#include "chebyshev.h"
 #include "fast_mass_springs_precomputation_dense.h"
 #include "fast_mass_springs_precomputation_sparse.h"
 #include "fast_mass_springs_step_dense.h"
 #include "fast_mass_springs_step_sparse.h"
+#include "fast_problem.h"
 #include "global_step.h"
 #include "inertial_right_hand_side.h"
+#include "lbfgs.h"
+#include "local_global.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
+#include "minimiser_on.h"
+#include "newton.h"
+#include "plain_problem.h"
 #include "right_hand_side.h"
 #include "same_set.h"
 #include "selection_matrix.h"
@@ -78,13 +86,67 @@ void System::reorder_pins(const TimeStep& step) {
       precomputation_);
 }
 
+double System::factor_bytes() const {
+  if (fast_) return static_cast<double>(fast_->bytes());
+  return std::visit([](const auto& precomputation) { return precomputation.Q.bytes(); },
+                    precomputation_);
+}
+
+Status System::check(Method method, const TimeStep& step) const {
+  if (method != Method::newton) return {};
+  // H has a 3 by 3 block for every entry of Q, and so has, nearly, its factor. Before H is put
+  // together its entries are a list: 36 to a spring, none of them summed.
+  const double bytes = factor_bytes() + 9 * 1.5 * factor_bytes() +
+                       2.0 * 36 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
+  if (bytes <= largest_factor) return {};
+  return {StatusCode::too_large, "newton", -1, bytes};
+}
+
 void System::begin(const TimeStep& step, Workspace& workspace) {
+  if (fast_) {
+    fast_->begin(step);
+  } else {
+    inertial_right_hand_side(step, workspace.y);
+  }
+}
+
+void System::inertial_right_hand_side(const TimeStep& step, Points& y) const {
   std::visit(
       [&](const auto& precomputation) {
-        inertial_right_hand_side(step, precomputation.M, precomputation.C, workspace.y);
+        mass_spring::inertial_right_hand_side(step, precomputation.M, precomputation.C, y);
       },
       precomputation_);
-  if (fast_) fast_->begin(step);
+}
+
+namespace {
+
+template <typename Problem>
+std::unique_ptr<Minimiser> minimiser_on(Method method, const Problem& problem) {
+  switch (method) {
+    case Method::chebyshev:
+      return std::make_unique<MinimiserOn<Chebyshev<Problem>, Problem>>(problem);
+    case Method::anderson:
+      return std::make_unique<MinimiserOn<Anderson<Problem>, Problem>>(problem);
+    case Method::lbfgs:
+      return std::make_unique<MinimiserOn<Lbfgs<Problem>, Problem>>(problem);
+    default:
+      return std::make_unique<MinimiserOn<LocalGlobal<Problem>, Problem>>(problem);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Minimiser> System::minimiser(Method method, const TimeStep& step) {
+  if (method == Method::newton) {
+    return std::make_unique<MinimiserOn<Newton, NewtonProblem>>(
+        NewtonProblem(step, fast_ ? Pins::held : Pins::penalised));
+  }
+  if (fast_) return minimiser_on(method, FastProblem(*fast_));
+  return std::visit(
+      [&](const auto& precomputation) {
+        return minimiser_on(method, PlainProblem(step, precomputation));
+      },
+      precomputation_);
 }
 
 void System::global_step(const TimeStep& step, Workspace& workspace, Iterate& iterate) {
@@ -118,6 +180,40 @@ void System::fast_mass_springs_step(const TimeStep& step, Workspace& workspace, 
     fast_mass_springs_step_sparse(step, std::get<SparsePrecomputation>(precomputation_), workspace,
                                   iterate, iterations);
   }
+}
+
+void System::rehearse_local_step(const TimeStep& step, int times) const {
+  if (fast_) {
+    WidePoints g;  // #V rows, N
+    const WidePoints p = fast_->rows_from_points(step.p_curr);
+    for (int i = 0; i < times; ++i) fast_->gradient(p, g);
+  } else {
+    Points d;  // #E by 3, m
+    for (int i = 0; i < times; ++i) local_step(step.E, step.r, step.p_curr, d);
+  }
+}
+
+void System::rehearse_global_step(const TimeStep& step, int times) {
+  if (fast_) {
+    const WidePoints g = fast_->rows_from_points(step.f_ext);
+    WidePoints x;  // #V rows, m
+    for (int i = 0; i < times; ++i) {
+      x = g;
+      fast_->apply_inverse(x);
+    }
+    return;
+  }
+  Workspace workspace;
+  Points d, p;  // #E by 3 and #V by 3, m
+  local_step(step.E, step.r, step.p_curr, d);
+  inertial_right_hand_side(step, workspace.y);
+  std::visit(
+      [&](const auto& precomputation) {
+        for (int i = 0; i < times; ++i) {
+          mass_spring::global_step(precomputation, step.k, d, workspace, p);
+        }
+      },
+      precomputation_);
 }
 
 double System::residual(const TimeStep& step, const Points& p, const Points& b) const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 
 #include "fast_system.h"
+#include "minimiser.h"
 #include "parameters.h"
 #include "precomputation.h"
 #include "status.h"
@@ -30,13 +32,27 @@ class System {
   /// Makes C anew, and nothing else: for the same set of pins in another order.
   void reorder_pins(const TimeStep& step);
 
+  /// too_large where the method would not fit the memory beside the factor of Q.
+  Status check(Method method, const TimeStep& step) const;
+
   /// What no iteration of this time step changes.
   void begin(const TimeStep& step, Workspace& workspace);
+
+  /// y, #V by 3, N. On the plain path begin() has done this; the fast path has no use for it.
+  void inertial_right_hand_side(const TimeStep& step, Points& y) const;
+
+  /// A method at work on `step`, which has to stay where it is, as has this system; both may change
+  /// between its time steps, but not by clear() or precompute().
+  std::unique_ptr<Minimiser> minimiser(Method method, const TimeStep& step);
 
   /// From p_before and d to p.
   void global_step(const TimeStep& step, Workspace& workspace, Iterate& iterate);
   void fast_mass_springs_step(const TimeStep& step, Workspace& workspace, Iterate& iterate,
                               int iterations);
+
+  /// The halves of an iteration from p^t, to be timed; on the fast path, ∂E/∂p and Q⁻¹.
+  void rehearse_local_step(const TimeStep& step, int times) const;
+  void rehearse_global_step(const TimeStep& step, int times);
 
   /// max |Qp - b|, N, over the equations that the global step solves: on the fast path those of
   /// the vertices that are not pinned.
@@ -47,6 +63,8 @@ class System {
   Triplets C() const;
 
  private:
+  double factor_bytes() const;
+
   std::variant<SparsePrecomputation, DensePrecomputation> precomputation_;
   std::optional<FastSystem> fast_;
   Indices analysed_pins_;  // #pinned: those that fast_ was analysed for

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "edge_vectors.h"
+#include "gradient.h"
+#include "largest_free_component.h"
+#include "local_step.h"
 #include "objective.h"
 #include "projection_energy.h"
 
@@ -23,8 +26,11 @@ void Trace::append(const TimeStep& step, const Cursor& cursor, double residual, 
   // Only the global step moves vertices; elsewhere p_before depends on where the cursor set out.
   const double change =
       cursor.at_global() ? (p - cursor.iterate.p_before).rowwise().norm().maxCoeff() : 0;
+  Points g;  // #V by 3, N
+  gradient(step, p, g);
   rows_.insert(rows_.end(), {static_cast<double>(cursor.half_step), E.objective, surrogate,
-                             E.potential, E.inertia, E.external, E.pin, residual, change});
+                             E.potential, E.inertia, E.external, E.pin,
+                             largest_free_component(g, step.pinned), residual, change});
 
   if (cursor.half_step == 0) {
     const double bytes = sizeof(double) * static_cast<double>(p.size()) * iterations;
@@ -35,20 +41,30 @@ void Trace::append(const TimeStep& step, const Cursor& cursor, double residual, 
 }
 
 Cursor Trace::start_for(int half_step, const TimeStep& step) const {
-  // One iteration earlier than asked for: the global step from there also leaves the right
-  // p_before.
-  const int iteration = std::max(half_step / 2 - 1, 0);
   Cursor cursor;
   Iterate& iterate = cursor.iterate;
   if (iterates_.empty()) {
-    iterate.p = step.p_curr;
-  } else {
-    const int kept = std::min(iteration / stride_, static_cast<int>(iterates_.size()) - 1);
-    cursor.half_step = 2 * stride_ * kept;
-    iterate.p = iterates_[kept];
+    iterate.p = iterate.p_before = step.p_curr;
+    edge_vectors(step.E, iterate.p, iterate.d);
+    return cursor;
   }
-  iterate.p_before = iterate.p;
-  edge_vectors(step.E, iterate.p, iterate.d);
+  const int recorded_half_step = std::min(half_step, recorded() - 1);
+  const int iteration = recorded_half_step / 2;  // how many global steps lie before
+  if (stride_ == 1) {
+    cursor.half_step = recorded_half_step;
+    iterate.p = iterates_[iteration];
+    iterate.p_before = iterates_[std::max(iteration - 1, 0)];
+  } else {
+    const int last =
+        std::min(std::max(iteration - 1, 0) / stride_, static_cast<int>(iterates_.size()) - 1);
+    cursor.half_step = 2 * stride_ * last;
+    iterate.p = iterate.p_before = iterates_[last];
+  }
+  if (cursor.half_step == 0) {
+    edge_vectors(step.E, iterate.p, iterate.d);
+  } else {
+    local_step(step.E, step.r, cursor.half_step % 2 == 1 ? iterate.p : iterate.p_before, iterate.d);
+  }
   return cursor;
 }
 

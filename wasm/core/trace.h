@@ -19,17 +19,17 @@ struct Cursor {
 /// iterates to return to any of them.
 class Trace {
  public:
-  /// half_step, objective, surrogate, potential, inertia, external, pin (J), residual (N), change
-  /// (m)
-  static constexpr int columns = 9;
+  /// half_step, objective, surrogate, potential, inertia, external, pin (J), gradient, residual
+  /// (N), change (m)
+  static constexpr int columns = 10;
 
   /// Appends the row of the next half-step, recorded().
   /// @param residual    max |Qp - b| at global, 0 elsewhere, N
   /// @param iterations  K
   void append(const TimeStep& step, const Cursor& cursor, double residual, int iterations);
 
-  /// A place no later than `half_step` from which to go there by way of half-steps not yet recorded
-  /// or a few that are.
+  /// `half_step` itself if it is recorded and the iterates around it are kept; otherwise a place
+  /// before it from which to go there.
   Cursor start_for(int half_step, const TimeStep& step) const;
 
   /// The half-steps 0 … recorded() - 1 have rows.

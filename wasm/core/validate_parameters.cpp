@@ -10,23 +10,27 @@ namespace mass_spring {
 constexpr double bytes_per_iteration = 2 * Trace::columns * sizeof(double);
 constexpr double largest_trace = 16e6;  // bytes
 
+enum class Sign { any, not_negative, positive };
+
 Status validate_parameters(const Parameters& parameters) {
   const struct {
     const char* field;
     double value;
-    bool positive;
+    Sign sign;
   } rules[] = {
-      {"k", parameters.k, true},
-      {"delta_t", parameters.delta_t, true},
-      {"w", parameters.w, true},
-      {"mass_scale", parameters.mass_scale, true},
-      {"iterations", static_cast<double>(parameters.iterations), true},
-      {"gravity", parameters.gravity, false},
+      {"k", parameters.k, Sign::positive},
+      {"delta_t", parameters.delta_t, Sign::positive},
+      {"w", parameters.w, Sign::positive},
+      {"mass_scale", parameters.mass_scale, Sign::positive},
+      {"iterations", static_cast<double>(parameters.iterations), Sign::positive},
+      {"stop_gradient", parameters.stop_gradient, Sign::not_negative},
+      {"stop_decrease", parameters.stop_decrease, Sign::not_negative},
+      {"gravity", parameters.gravity, Sign::any},
   };
-  for (const auto& rule : rules) {
-    if (!std::isfinite(rule.value)) return {StatusCode::not_finite, rule.field, -1, rule.value};
-    if (rule.positive && rule.value <= 0)
-      return {StatusCode::not_positive, rule.field, -1, rule.value};
+  for (const auto& [field, value, sign] : rules) {
+    if (!std::isfinite(value)) return {StatusCode::not_finite, field, -1, value};
+    if (sign == Sign::positive && value <= 0) return {StatusCode::not_positive, field, -1, value};
+    if (sign == Sign::not_negative && value < 0) return {StatusCode::negative, field, -1, value};
   }
   const double bytes = bytes_per_iteration * parameters.iterations;
   if (bytes > largest_trace) return {StatusCode::too_large, "iterations", -1, bytes};

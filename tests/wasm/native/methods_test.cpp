@@ -14,8 +14,9 @@
 #include "stopping_rule.h"
 #include "support.h"
 
-#define PLAIN_METHODS \
-  LocalGlobal<PlainProblem>, Chebyshev<PlainProblem>, Anderson<PlainProblem>, Lbfgs<PlainProblem>
+#define PLAIN_METHODS                                                            \
+  LocalGlobal<SparseProblem>, Chebyshev<SparseProblem>, Anderson<SparseProblem>, \
+      Lbfgs<SparseProblem>
 #define QUADRATIC_METHODS                                                                 \
   LocalGlobal<QuadraticProblem>, Chebyshev<QuadraticProblem>, Anderson<QuadraticProblem>, \
       Lbfgs<QuadraticProblem>
@@ -106,7 +107,7 @@ TEST_CASE_TEMPLATE("no iteration raises the objective", Method, PLAIN_METHODS) {
 
 TEST_CASE_TEMPLATE(
     "an accelerated iterate that would raise the objective gives way to the plain one", Method,
-    Chebyshev<PlainProblem>, Anderson<PlainProblem>) {
+    Chebyshev<SparseProblem>, Anderson<SparseProblem>) {
   int rejected = 0;
   for (const double kappa : {10.0, 1e4}) {
     const TimeStep step = crumpled(with_stiffness_number(cloth(5, 6), kappa), 1);
@@ -193,7 +194,7 @@ TEST_CASE("p ← p - Q⁻¹ ∂E/∂p makes the iterates of local and global ste
       Iterate iterate;
       fast_mass_springs_step_sparse(step, precomputation, workspace, iterate, iterations);
       // Solving with Q costs the digits of κ in 16, times the 6 m of the cloth.
-      const Points p = after<LocalGlobal<PlainProblem>>(iterations, step);
+      const Points p = after<LocalGlobal<SparseProblem>>(iterations, step);
       CHECK((p - iterate.p).cwiseAbs().maxCoeff() < 6e-9);
     }
   }
@@ -201,28 +202,28 @@ TEST_CASE("p ← p - Q⁻¹ ∂E/∂p makes the iterates of local and global ste
 
 TEST_CASE("the first iteration of every accelerated method is the plain one") {
   const TimeStep step = crumpled(with_stiffness_number(cloth(5, 6), 1e3), 3);
-  const Points plain = after<LocalGlobal<PlainProblem>>(1, step);
-  CHECK(after<Chebyshev<PlainProblem>>(1, step) == plain);
-  CHECK(after<Anderson<PlainProblem>>(1, step) == plain);
-  CHECK(after<Lbfgs<PlainProblem>>(1, step) == plain);
+  const Points plain = after<LocalGlobal<SparseProblem>>(1, step);
+  CHECK(after<Chebyshev<SparseProblem>>(1, step) == plain);
+  CHECK(after<Anderson<SparseProblem>>(1, step) == plain);
+  CHECK(after<Lbfgs<SparseProblem>>(1, step) == plain);
 }
 
 TEST_CASE("Chebyshev's acceleration sets in after its delay") {
   const TimeStep step = crumpled(with_stiffness_number(cloth(5, 6), 1e3), 3);
-  const Chebyshev<PlainProblem> ten, three(3);
-  CHECK(after(10, step, ten) == after<LocalGlobal<PlainProblem>>(10, step));
-  CHECK(after(11, step, ten) != after<LocalGlobal<PlainProblem>>(11, step));
-  CHECK(after(3, step, three) == after<LocalGlobal<PlainProblem>>(3, step));
-  CHECK(after(4, step, three) != after<LocalGlobal<PlainProblem>>(4, step));
+  const Chebyshev<SparseProblem> ten, three(3);
+  CHECK(after(10, step, ten) == after<LocalGlobal<SparseProblem>>(10, step));
+  CHECK(after(11, step, ten) != after<LocalGlobal<SparseProblem>>(11, step));
+  CHECK(after(3, step, three) == after<LocalGlobal<SparseProblem>>(3, step));
+  CHECK(after(4, step, three) != after<LocalGlobal<SparseProblem>>(4, step));
 }
 
 TEST_CASE("accelerated methods reach the objective of 50 plain iterations sooner") {
   const TimeStep step = with_stiffness_number(cloth(20, 40), 1e4);
-  const double plain = objective(step, after<LocalGlobal<PlainProblem>>(50, step)).objective;
+  const double plain = objective(step, after<LocalGlobal<SparseProblem>>(50, step)).objective;
   // They take 4, 4 and 20, but how a descent goes on depends on every rounding.
-  CHECK(iterations_to<Lbfgs<PlainProblem>>(plain, step) <= 6);
-  CHECK(iterations_to<Anderson<PlainProblem>>(plain, step) <= 6);
-  CHECK(iterations_to<Chebyshev<PlainProblem>>(plain, step) <= 25);
+  CHECK(iterations_to<Lbfgs<SparseProblem>>(plain, step) <= 6);
+  CHECK(iterations_to<Anderson<SparseProblem>>(plain, step) <= 6);
+  CHECK(iterations_to<Chebyshev<SparseProblem>>(plain, step) <= 25);
 }
 
 TEST_CASE_TEMPLATE("free fall takes a single iteration", Method, PLAIN_METHODS) {

@@ -10,38 +10,30 @@
 namespace mass_spring {
 namespace {
 
-struct NoProblem {};
-
-/// A method whose objective halves from 64 J, and its gradient (p, -p/2, 0) with it from p = 64 N;
-/// after `most` iterations it cannot move any more.
-class Halving {
+/// Its objective halves from 64 J, and its gradient from 64 N with it; after `most` iterations it
+/// cannot move any more.
+class Halving : public Minimiser {
  public:
   explicit Halving(int most) : most_(most) {}
-  void begin(NoProblem&, double& p) { evaluate(p); }
-  bool iterate(NoProblem&, double& p) {
-    if (most_-- == 0) return false;
-    p /= 2;
-    evaluate(p);
-    return true;
-  }
-  const Standing<Points>& standing() const { return standing_; }
+  double objective() const override { return p_; }
+  double gradient_norm() const override { return p_; }
+  void positions(Points& p) const override { p.setConstant(1, 3, p_); }
 
  private:
-  void evaluate(double p) {
-    standing_.objective = p;
-    standing_.gradient.resize(1, 3);
-    standing_.gradient << p, -p / 2, 0;
+  void start(const Points& p) override { p_ = p(0, 0); }
+  bool advance() override {
+    if (most_-- == 0) return false;
+    p_ /= 2;
+    return true;
   }
 
   int most_;
-  Standing<Points> standing_;
+  double p_ = 0;
 };
 
 Outcome outcome(const StoppingRule& rule, int most = 1000) {
-  NoProblem problem;
   Halving method(most);
-  double p = 64;
-  return iterate_until(rule, method, problem, p);
+  return iterate_until(rule, method, Points::Constant(1, 3, 64));
 }
 
 void check(const Outcome& outcome, StopReason reason, int iterations) {
@@ -52,27 +44,27 @@ void check(const Outcome& outcome, StopReason reason, int iterations) {
 }  // namespace
 
 TEST_CASE("without a threshold, after K iterations") {
-  check(outcome({5, {}, {}}), StopReason::iterations, 5);
+  check(outcome({5}), StopReason::iterations, 5);
 }
 
 TEST_CASE("once no component of the gradient is above the threshold, be it at the start") {
-  check(outcome({50, 8.0, {}}), StopReason::gradient, 3);  // 64, 32, 16, 8
-  check(outcome({50, 7.9, {}}), StopReason::gradient, 4);
-  check(outcome({50, 64.0, {}}), StopReason::gradient, 0);
-  check(outcome({3, 7.9, {}}), StopReason::iterations, 3);
+  check(outcome({50, 8.0}), StopReason::gradient, 3);  // 64, 32, 16, 8
+  check(outcome({50, 7.9}), StopReason::gradient, 4);
+  check(outcome({50, 64.0}), StopReason::gradient, 0);
+  check(outcome({3, 7.9}), StopReason::iterations, 3);
 }
 
 TEST_CASE("once the objective hardly falls, compared with itself or with 1 J") {
   // The k-th iteration lowers E to 64/2^k by as much: for ε = 1 the first one, by 32 ≤ 1·32.
-  check(outcome({50, {}, 1.0}), StopReason::decrease, 1);
+  check(outcome({50, 0, 1.0}), StopReason::decrease, 1);
   // Below 1 J, from the 7th on to 64/2^k, it falls by 64/2^k ≤ ε = 1/4 first for k = 8.
-  check(outcome({50, {}, 0.25}), StopReason::decrease, 8);
-  check(outcome({7, {}, 0.25}), StopReason::iterations, 7);
+  check(outcome({50, 0, 0.25}), StopReason::decrease, 8);
+  check(outcome({7, 0, 0.25}), StopReason::iterations, 7);
 }
 
 TEST_CASE("where no iteration moves any further") {
-  check(outcome({50, {}, {}}, 4), StopReason::rounding, 4);
-  check(outcome({50, {}, {}}, 0), StopReason::rounding, 0);
+  check(outcome({50}, 4), StopReason::rounding, 5);
+  check(outcome({50}, 0), StopReason::rounding, 1);
 }
 
 TEST_CASE("backtracking takes the first step that lowers E by enough") {

@@ -79,11 +79,13 @@ TEST_CASE("parameters") {
   check(with(&Parameters::mass_scale, 0), StatusCode::not_positive, "mass_scale", -1, 0);
   check(with(&Parameters::k, infinity), StatusCode::not_finite, "k", -1, infinity);
   check(with(&Parameters::gravity, nan), StatusCode::not_finite, "gravity", -1, nan);
+  check(with(&Parameters::stop_gradient, -1), StatusCode::negative, "stop_gradient", -1, -1);
+  check(with(&Parameters::stop_decrease, -1e-9), StatusCode::negative, "stop_decrease", -1, -1e-9);
   Parameters parameters = usual_parameters();
   parameters.iterations = 0;
   check(validate_parameters(parameters), StatusCode::not_positive, "iterations", -1, 0);
   parameters.iterations = 1000000;
-  check(validate_parameters(parameters), StatusCode::too_large, "iterations", -1, 144e6);
+  check(validate_parameters(parameters), StatusCode::too_large, "iterations", -1, 160e6);
 }
 
 TEST_CASE("a system too stiff for double precision is refused, with its number and vertex") {

@@ -12,6 +12,7 @@ const sentences: Record<StatusCode, string> = {
   duplicate_spring: 'the spring of row {{value}} again',
   duplicate_pin: 'the pin of row {{value}} again',
   not_positive: '{{value}} is not positive',
+  negative: '{{value}} is negative',
   too_stiff: 'the stiffness number Σk·Δt²/m is {{value}}, and beyond 1e9 double precision is lost',
   too_large: '{{value}} bytes are more than the solver may use',
   factorisation_failed: 'Q is not positive definite to machine precision',

@@ -12,6 +12,7 @@ export const statusCodes = [
   'duplicate_spring',
   'duplicate_pin',
   'not_positive',
+  'negative',
   'too_stiff',
   'too_large',
   'factorisation_failed',
@@ -148,6 +149,9 @@ export interface Simulation {
    * iteration from 0 until `iterations` are made or E falls no further, row-major: E(p^k) − E(p^0) and ‖∂E/∂p‖∞ of the vertices that are free.
    */
   compare(method: Method, iterations: number): { status: Status; rows: Float64Array };
+  /** So many local steps (on the fast path: ∂E/∂p) or global steps (Q⁻¹) from p^t, whose results nobody uses: to be timed from outside. */
+  rehearse_local_step(times: number): void;
+  rehearse_global_step(times: number): void;
   probe_vertex(i: number): VertexProbe;
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;

@@ -185,6 +185,7 @@ export const page = {
     duplicate_spring: '{{field}}[{{index}}] repeats a spring that is already there.',
     duplicate_pin: '{{field}}[{{index}}] pins vertex {{value}} twice.',
     not_positive: '{{field}} is {{value}}; it has to be greater than 0. The value before stays.',
+    negative: '{{field}} is {{value}}; it has to be 0 or more. The value before stays.',
     too_stiff:
       'The stiffness number Σk·Δt²/m would be {{value}}, beyond the 1e9 that double precision can solve. The values before stay: take a smaller k or Δt, or more mass.',
     too_large: 'This would need {{value}} bytes, more than the solver may use. The scene before stays.',

@@ -1,0 +1,11 @@
+#include "method.h"
+
+namespace mass_spring {
+
+const std::vector<std::string>& method_names() {
+  static const std::vector<std::string> names = {"local-global", "chebyshev", "anderson", "lbfgs",
+                                                 "newton"};
+  return names;
+}
+
+}  // namespace mass_spring

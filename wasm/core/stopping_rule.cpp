@@ -1,0 +1,46 @@
+#include "stopping_rule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mass_spring {
+
+const std::vector<std::string>& stop_reason_names() {
+  static const std::vector<std::string> names = {"iterations", "gradient", "decrease", "rounding"};
+  return names;
+}
+
+// ‖∂E/∂p‖∞ ≤ ε
+static bool gradient_is_small(const StoppingRule& rule, const Minimiser& minimiser) {
+  return rule.gradient > 0 && minimiser.gradient_norm() <= rule.gradient;
+}
+
+std::optional<Outcome> stop_at_start(const StoppingRule& rule, const Minimiser& minimiser) {
+  if (gradient_is_small(rule, minimiser)) return Outcome{StopReason::gradient, 0};
+  return {};
+}
+
+std::optional<Outcome> iterate_once(const StoppingRule& rule, Minimiser& minimiser) {
+  const double objective_before = minimiser.objective();
+  const bool moved = minimiser.iterate();
+  const int k = minimiser.iterations();
+  if (!moved) return Outcome{StopReason::rounding, k};
+  if (gradient_is_small(rule, minimiser)) return Outcome{StopReason::gradient, k};
+  // E^{k-1} - E^k ≤ ε max(1 J, |E^k|)
+  const double objective = minimiser.objective();
+  if (rule.decrease > 0 &&
+      objective_before - objective <= rule.decrease * std::max(1.0, std::abs(objective))) {
+    return Outcome{StopReason::decrease, k};
+  }
+  if (k >= rule.iterations) return Outcome{StopReason::iterations, k};
+  return {};
+}
+
+Outcome iterate_until(const StoppingRule& rule, Minimiser& minimiser, const Points& p) {
+  minimiser.begin(p);
+  std::optional<Outcome> outcome = stop_at_start(rule, minimiser);
+  while (!outcome) outcome = iterate_once(rule, minimiser);
+  return *outcome;
+}
+
+}  // namespace mass_spring
