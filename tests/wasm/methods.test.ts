@@ -20,7 +20,7 @@ function falling(parameters: Partial<Parameters>): Simulation {
 }
 
 /** The same instant whatever the method: reached by local and global step. */
-function sameInstant(parameters: Partial<Parameters>): Simulation {
+function sameInstant(parameters: Partial<Parameters> & Pick<Parameters, 'path' | 'storage'>): Simulation {
   const { path, storage } = parameters;
   const simulation = falling({ path, storage });
   expectOk(simulation.set_parameters({ ...usualParameters, k: 1e5, ...parameters }));

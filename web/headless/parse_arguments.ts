@@ -1,4 +1,5 @@
 import { parseArgs } from 'node:util';
+import { type Method, methods } from '../src/solver/module.ts';
 import { UsageError } from './usage_error.ts';
 
 export interface Arguments {
@@ -6,7 +7,14 @@ export interface Arguments {
   scene: string;
   steps: number;
   /** What replaces the scene's own values. Units as in the scene: s, N/m. */
-  overrides: { iterations?: number; delta_t?: number; k?: number };
+  overrides: {
+    iterations?: number;
+    delta_t?: number;
+    k?: number;
+    method?: Method;
+    stop_gradient?: number;
+    stop_decrease?: number;
+  };
   path: 'fast' | 'plain';
   storage: 'sparse' | 'dense';
   format: 'json' | 'csv';
@@ -17,13 +25,17 @@ export const help = `Runs a scene without a page and prints where its vertices e
   npm run --silent simulate -- SCENE.json [options]
 
   --steps N               time steps to run (100)
-  --iterations K          local/global iterations of each (the scene's)
+  --iterations K          the most iterations of each (the scene's)
+  --method M              local-global|chebyshev|anderson|lbfgs|newton (local-global)
+  --until-gradient N      a step also ends where no vertex that is free feels more than N newtons of the gradient
+  --until-decrease E      and once an iteration lowers the objective by no more than E max(1 J, the objective)
   --dt S                  time step in seconds (the scene's)
   --k K                   stiffness of the springs in N/m (the scene's)
   --path fast|plain       how a step is computed (fast): fast holds pins exactly, plain by the penalty w
   --storage sparse|dense  of the matrices of the plain path (sparse); dense is always plain
   --format json|csv       (json) json is one object: positions in metres, the objective of each step in joules,
-                          times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
+                          iterations made and why
+                          each step ended, times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
                           from 1 as in the OBJ file, in metres
   --help                  this text
 
@@ -33,6 +45,9 @@ Errors: one line on stderr, exit code 2.
 const options = {
   steps: { type: 'string' },
   iterations: { type: 'string' },
+  method: { type: 'string' },
+  'until-gradient': { type: 'string' },
+  'until-decrease': { type: 'string' },
   dt: { type: 'string' },
   k: { type: 'string' },
   path: { type: 'string' },
@@ -54,6 +69,9 @@ export function parseArguments(args: string[]): Arguments | null {
   const {
     steps = '100',
     iterations,
+    method,
+    'until-gradient': untilGradient,
+    'until-decrease': untilDecrease,
     dt,
     k,
     storage = 'sparse',
@@ -65,6 +83,9 @@ export function parseArguments(args: string[]): Arguments | null {
     steps: wholeNumber('--steps', steps),
     overrides: {
       ...(iterations !== undefined && { iterations: wholeNumber('--iterations', iterations) }),
+      ...(method !== undefined && { method: oneOf('--method', method, methods) }),
+      ...(untilGradient !== undefined && { stop_gradient: positive('--until-gradient', untilGradient) }),
+      ...(untilDecrease !== undefined && { stop_decrease: positive('--until-decrease', untilDecrease) }),
       ...(dt !== undefined && { delta_t: positive('--dt', dt) }),
       ...(k !== undefined && { k: positive('--k', k) }),
     },

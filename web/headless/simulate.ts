@@ -33,7 +33,7 @@ async function simulate({ scene: path, steps, overrides, path: how, storage, for
     scene: scene.name,
     vertexCount: positions.length,
     springCount: scene.E.length / 2,
-    method: 'local-global',
+    method: parameters.method,
     path: how,
     storage,
     steps,
@@ -41,6 +41,8 @@ async function simulate({ scene: path, steps, overrides, path: how, storage, for
     deltaT: parameters.delta_t,
     positions, // m
     objective: run.objective, // J, one a step
+    iterationsMade: run.iterationsMade, // one a step
+    stopReason: run.stopReason,
     milliseconds: {
       precompute: run.precompute,
       step: { min: Math.min(...run.stepTimes), median: median(run.stepTimes) },

@@ -26,11 +26,13 @@ describe('parseArguments', () => {
       '0.01',
       '--storage=dense',
       '--format=csv',
+      '--method=lbfgs',
+      '--until-gradient=1e-3',
     ];
     expect(parseArguments(args)).toEqual({
       scene: 'a.json',
       steps: 3,
-      overrides: { k: 2e5, iterations: 7, delta_t: 0.01 },
+      overrides: { k: 2e5, iterations: 7, delta_t: 0.01, method: 'lbfgs', stop_gradient: 1e-3 },
       path: 'plain',
       storage: 'dense',
       format: 'csv',
@@ -54,6 +56,11 @@ describe('parseArguments', () => {
     [['a.json', '--steps', '1.5'], '--steps: "1.5" is not a whole number from 1 on'],
     [['a.json', '--iterations', '0'], '--iterations: "0" is not a whole number from 1 on'],
     [['a.json', '--storage', 'thick'], '--storage: "thick" is not one of sparse, dense'],
+    [
+      ['a.json', '--method', 'jacobi'],
+      '--method: "jacobi" is not one of local-global, chebyshev, anderson, lbfgs, newton',
+    ],
+    [['a.json', '--until-decrease', '0'], '--until-decrease: "0" is not a positive number'],
     [['a.json', '--format', 'xml'], '--format: "xml" is not one of json, csv'],
   ])('refuses %j', (args, sentence) => {
     expect(() => parseArguments(args)).toThrow(new UsageError(sentence));

@@ -16,7 +16,7 @@ describe('simulate', startsProcesses, () => {
   it('prints one JSON object: what was run, where it ended, what it cost', () => {
     const { stdout, stderr, status } = simulate('scenes/net.json', '--steps', '3', '--iterations', '5', '--dt', '0.02');
     expect([stderr, status]).toEqual(['', 0]);
-    const { positions, objective, milliseconds, ...run } = JSON.parse(stdout);
+    const { positions, objective, iterationsMade, stopReason, milliseconds, ...run } = JSON.parse(stdout);
     expect(run).toEqual({
       scene: 'net',
       vertexCount: 61,
@@ -30,6 +30,8 @@ describe('simulate', startsProcesses, () => {
     });
     expect(positions).toHaveLength(61);
     expect(objective).toHaveLength(3);
+    expect(iterationsMade).toEqual([5, 5, 5]);
+    expect(stopReason).toEqual(['iterations', 'iterations', 'iterations']);
     expect(milliseconds).toEqual({
       precompute: expect.any(Number),
       step: { min: expect.any(Number), median: expect.any(Number) },
@@ -56,6 +58,24 @@ describe('simulate', startsProcesses, () => {
     const potential = (100 / 2) * (Math.hypot(1, y) - 1) ** 2;
     const inertia = (900 / 2) * y ** 2;
     expect(objective[0]).toBeCloseTo(potential + inertia + 9.8 * y, 7);
+  });
+
+  it('takes a step by any method, and no longer than asked for', () => {
+    const runs = ['local-global', 'lbfgs', 'newton'].map((method) => {
+      const until = ['--iterations', '500', '--until-gradient', '1e-3'];
+      return JSON.parse(simulate('scenes/net.json', '--steps', '2', '--method', method, ...until).stdout);
+    });
+    for (const { method, stopReason } of runs)
+      expect([method, ...stopReason]).toEqual([method, 'gradient', 'gradient']);
+    const [plain, lbfgs, newton] = runs.map(({ iterationsMade }) => iterationsMade[1]);
+    expect(lbfgs).toBeLessThan(plain);
+    expect(newton).toBeLessThan(lbfgs);
+    // Within 1e-3 N of equilibrium against m/Δt² = 0.5 · 900 N/m: 2e-6 m.
+    for (const { positions } of runs) {
+      for (const [i, point] of positions.entries()) {
+        for (const [axis, x] of point.entries()) expect(Math.abs(x - runs[2].positions[i][axis])).toBeLessThan(1e-5);
+      }
+    }
   });
 
   it('ends at the same place in both storages and in both formats', () => {
