@@ -49,6 +49,7 @@ const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Nam
   p_curr: [[], doubles],
   p_prev: [[], doubles],
   inertial_prediction: [[], doubles],
+  explicit_step: [[], doubles],
   d: [[], doubles],
   r: [[], Float64Array.of(0.5, 0.5)],
   m: [[], Float64Array.of(1, 1, 1)],
@@ -123,3 +124,16 @@ test('a dense flag fits into the memory and moves like a sparse one; views that 
   expect(distance(p, flag.V)).toBeGreaterThan(1e3 * positionsTolerance(flag)); // it moved
   expect(distance(p, sparse.p())).toBeLessThan(positionsTolerance(flag));
 }, 60_000);
+
+test('every way to solve the example leaves no residual', () => {
+  const example = new solver.SolvingExample(12);
+  expect(example.vertex_count()).toBe(144);
+  example.dense_inverse();
+  for (const storage of ['dense', 'sparse'] as const) {
+    example[`${storage}_factorise`]();
+    example[`${storage}_substitute`]();
+    // Forces of 9.8 N are passed on to the pins, w |p| of 1e3 N: rounded in the 16th digit, times a few.
+    expect(example.residual()).toBeLessThan(1e-11);
+  }
+  example.delete();
+});

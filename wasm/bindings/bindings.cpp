@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "explicit_step.h"
 #include "inertial_prediction.h"
 #include "simulation.h"
+#include "solving_example.h"
 
 using namespace mass_spring;
 using emscripten::typed_memory_view;
@@ -194,6 +196,9 @@ EMSCRIPTEN_BINDINGS(solver) {
           "inertial_prediction",
           +[](const S& s) { return copy("Float64Array", inertial_prediction(s.time_step())); })
       .function(
+          "explicit_step",
+          +[](const S& s) { return copy("Float64Array", explicit_step(s.time_step())); })
+      .function(
           "d", +[](const S& s) { return lend(s.iterate().d); })
       .function(
           "r", +[](const S& s) { return lend(s.time_step().r); })
@@ -222,4 +227,14 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "gradient_at",
           +[](const S& s, val p) { return copy("Float64Array", s.gradient_at(doubles(p))); });
+
+  class_<SolvingExample>("SolvingExample")
+      .constructor<int>()
+      .function("vertex_count", &SolvingExample::vertex_count)
+      .function("dense_inverse", &SolvingExample::dense_inverse)
+      .function("dense_factorise", &SolvingExample::dense_factorise)
+      .function("dense_substitute", &SolvingExample::dense_substitute)
+      .function("sparse_factorise", &SolvingExample::sparse_factorise)
+      .function("sparse_substitute", &SolvingExample::sparse_substitute)
+      .function("residual", &SolvingExample::residual);
 }

@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "explicit_step.h"
 #include "fast_mass_springs_precomputation_dense.h"
 #include "fast_mass_springs_precomputation_sparse.h"
 #include "fast_mass_springs_step_dense.h"
@@ -133,6 +136,40 @@ TEST_CASE("the inertial prediction") {
   by_hand.col(0).array() += 1;
   by_hand(1, 1) -= 1;
   CHECK(inertial_prediction(step) == by_hand);
+}
+
+TEST_CASE("an explicit step takes the forces where the springs are, not where they will be") {
+  TimeStep step = stretched();
+  // The spring of 1 N/m is 1 m too long and pulls both masses of 1 kg by 1 m in 1 s.
+  CHECK(explicit_step(step).col(0) == Vector{{1, 1}});
+  step.f_ext.col(1).setConstant(-2);
+  CHECK(explicit_step(step).col(1) == Vector{{-2, -2}});
+  step.pinned = Indices::Zero(1);
+  step.targets = Points::Constant(1, 3, 7);
+  CHECK(explicit_step(step).row(0) == Eigen::RowVector3d(7, 7, 7));
+}
+
+TEST_CASE("explicit steps keep the momentum, and beyond Δt ω = 2 they blow up") {
+  // Two masses on a spring swing with ω = (2k/m)^½.
+  for (const double delta_t_omega : {1.9, 2.1}) {
+    TimeStep step = stretched();
+    step.k = 0.5 * delta_t_omega * delta_t_omega;
+    step.p_curr << 0, 0, 0, 1.001, 0, 0;
+    step.p_prev = step.p_curr;
+    for (int t = 0; t < 100; ++t) {
+      const Points next = explicit_step(step);
+      step.p_prev = step.p_curr;
+      step.p_curr = next;
+    }
+    // The middle stays, to the rounding of 100 additions of about 1 m; as long as nothing blows up.
+    const double stretch = std::abs(step.p_curr(1, 0) - step.p_curr(0, 0) - 1);
+    if (delta_t_omega < 2) {
+      CHECK(step.p_curr.col(0).sum() == doctest::Approx(1.001).epsilon(1e-13));
+      CHECK(stretch < 0.01);
+    } else {
+      CHECK(stretch > 1);
+    }
+  }
 }
 
 }  // namespace mass_spring

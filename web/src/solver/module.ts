@@ -130,6 +130,8 @@ export interface Simulation {
   p_prev(): Float64Array;
   /** #V×3: where inertia and external forces alone would carry each vertex, 2p^t − p^{t−Δt} + Δt² M⁻¹ f^ext. */
   inertial_prediction(): Float64Array;
+  /** #V×3: where the forces at p^t would carry each vertex, instead of those at p^{t+Δt}: an explicit step. */
+  explicit_step(): Float64Array;
   /** #E×3: the projection at the cursor (at predict: the unprojected p_i − p_j). */
   d(): Float64Array;
   /** #E. */
@@ -196,8 +198,25 @@ export const traceColumns = [
 /** J, N. */
 export const compareColumns = ['iteration', 'change', 'gradient'] as const;
 
+/**
+ * Q p = b for a square net of side × side vertices, and the ways to solve it, each a call to be timed from outside. A substitution comes after
+ * its factorisation. Sides above 45 are for the sparse calls only: dense matrices of more than 2,025 vertices are too large to be worth waiting for.
+ */
+export interface SolvingExample {
+  vertex_count(): number;
+  dense_inverse(): void;
+  dense_factorise(): void;
+  dense_substitute(): void;
+  sparse_factorise(): void;
+  sparse_substitute(): void;
+  /** max |Qp − b| of the last substitution, N. */
+  residual(): number;
+  delete(): void;
+}
+
 export interface SolverModule {
   Simulation: new () => Simulation;
+  SolvingExample: new (side: number) => SolvingExample;
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
 }

@@ -1,0 +1,51 @@
+#include "solving_example.h"
+
+#include <Eigen/LU>
+#include <utility>
+#include <vector>
+
+#include "matrix_from_triplets.h"
+#include "system_matrix.h"
+
+namespace mass_spring {
+
+SolvingExample::SolvingExample(int side) {
+  const int n = side * side;
+  std::vector<std::pair<int, int>> springs;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const int here = row * side + column;
+      if (column + 1 < side) springs.push_back({here, here + 1});
+      if (row + 1 < side) springs.push_back({here, here + side});
+    }
+  }
+  Edges E(springs.size(), 2);
+  for (int e = 0; e < E.rows(); ++e) E.row(e) << springs[e].first, springs[e].second;
+  Indices pinned(2);
+  pinned << 0, side - 1;
+  // 1000 N/m, 1 kg, 1/30 s: as in the net.
+  Q_ = system_matrix(E, 1e3, Vector::Ones(n), 1.0 / 30, pinned, 1e10);
+  b_ = Points::Constant(n, 3, -9.8);
+}
+
+void SolvingExample::dense_inverse() {
+  DenseMatrix Q;
+  matrix_from_triplets(vertex_count(), vertex_count(), Q_, Q);
+  inverse_ = Q.inverse();
+}
+
+void SolvingExample::dense_factorise() { dense_.factorise(vertex_count(), Q_); }
+
+void SolvingExample::dense_substitute() { dense_.solve(b_, scratch_, p_); }
+
+void SolvingExample::sparse_factorise() { sparse_.factorise(vertex_count(), Q_); }
+
+void SolvingExample::sparse_substitute() { sparse_.solve(b_, scratch_, p_); }
+
+double SolvingExample::residual() const {
+  SparseMatrix Q;
+  matrix_from_triplets(vertex_count(), vertex_count(), Q_, Q);
+  return (Q * p_ - b_).cwiseAbs().maxCoeff();
+}
+
+}  // namespace mass_spring

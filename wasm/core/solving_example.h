@@ -1,0 +1,45 @@
+#pragma once
+
+#include "dense_cholesky.h"
+#include "sparse_cholesky.h"
+#include "types.h"
+
+namespace mass_spring {
+
+/// Q p = b for a square net of `side` by `side` vertices, and the ways to solve it, each a call of
+/// its own: to be timed at growing size. A solve comes after its factorisation.
+class SolvingExample {
+ public:
+  /// Beyond this side, 2,025 vertices, dense matrices are not made: Q and its inverse take 33 MB
+  /// each.
+  static constexpr int largest_dense_side = 45;
+
+  /// @param side  at least 2
+  explicit SolvingExample(int side);
+
+  int vertex_count() const { return static_cast<int>(b_.rows()); }
+
+  /// About 2n³ operations.
+  void dense_inverse();
+  /// About n³/3 operations.
+  void dense_factorise();
+  /// 2n² operations for each of the three columns of b.
+  void dense_substitute();
+  /// About n^1.5 operations, with a good ordering.
+  void sparse_factorise();
+  /// About n log n operations.
+  void sparse_substitute();
+  /// max |Q p - b| of the last substitution, N.
+  double residual() const;
+
+ private:
+  Triplets Q_;           // #V by #V, N/m
+  Points b_;             // #V by 3, N
+  Points p_;             // #V by 3, m
+  DenseMatrix scratch_;  // #V by 3
+  DenseMatrix inverse_;  // #V by #V
+  DenseCholesky dense_;
+  SparseCholesky sparse_;
+};
+
+}  // namespace mass_spring
