@@ -57,7 +57,7 @@ export function SymbolCard({ id, anchor, value }: Props) {
       )}
       <dl>
         <dt>{t('equations.card.shape')}</dt>
-        <dd>{shape ?? t('equations.card.number')}</dd>
+        <dd>{shape.join(' × ') || t('equations.card.number')}</dd>
         <dt>{t('equations.card.unit')}</dt>
         <dd>{unit ?? t('equations.card.dimensionless')}</dd>
         <dt>{t('equations.card.code')}</dt>
