@@ -156,6 +156,12 @@ EMSCRIPTEN_BINDINGS(solver) {
   class_<S>("Simulation")
       .constructor<>()
       .function(
+          "set_progress",
+          +[](S& s, val report) {
+            s.set_progress(
+                [report](const std::string& stage, double fraction) { report(stage, fraction); });
+          })
+      .function(
           "set_scene",
           +[](S& s, val V, val E, val m, val pinned, const Parameters& parameters) {
             return s.set_scene(doubles(V), ints(E), doubles(m), ints(pinned), parameters);

@@ -93,16 +93,15 @@ class PanelInversion {
 
 }  // namespace
 
-Factorisation BlockSolver::factorise(const SymbolicCholesky& symbolic, double coupling,
-                                     const Vector& diagonal, const Progress& progress) {
-  const Factorisation outcome = numeric_cholesky(symbolic, coupling, diagonal, progress, panels_);
-  if (outcome != Factorisation::done) return outcome;
+bool BlockSolver::factorise(const SymbolicCholesky& symbolic, double coupling,
+                            const Vector& diagonal, const Progress& progress) {
+  if (!numeric_cholesky(symbolic, coupling, diagonal, progress, panels_)) return false;
   PanelInversion inversion;
   for (const Supernode& node : symbolic.supernodes) {
     inversion.invert(node, panels_.data() + node.panel);
   }
   gathered_.resize(symbolic.largest_panel, 4);
-  return outcome;
+  return true;
 }
 
 void BlockSolver::solve(const SymbolicCholesky& symbolic, WidePoints& x) {

@@ -17,8 +17,9 @@ class BlockSolver {
  public:
   /// @param coupling  N/m: the entries of Q off its diagonal are -coupling where an edge is
   /// @param diagonal  #columns, N/m: of P Q Pᵀ
-  Factorisation factorise(const SymbolicCholesky& symbolic, double coupling, const Vector& diagonal,
-                          const Progress& progress);
+  /// @return whether Q is positive definite as far as the arithmetic can tell
+  bool factorise(const SymbolicCholesky& symbolic, double coupling, const Vector& diagonal,
+                 const Progress& progress);
 
   /// x ← (P Q Pᵀ)⁻¹ x.
   /// @param symbolic  of the factorisation

@@ -45,8 +45,7 @@ void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const
   });
 }
 
-Factorisation FastSystem::factorise(double k, const Vector& m, double delta_t,
-                                    const Progress& progress) {
+bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Progress& progress) {
   k_ = k;
   inertia_.resize(m.size());
   for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (delta_t * delta_t);

@@ -35,11 +35,12 @@ class FastSystem {
   std::int64_t nonzeros() const { return pattern_.nonzeros; }
   std::int64_t bytes() const { return pattern_.values * std::int64_t{sizeof(double)}; }
 
-  /// After anything but `done` there is no factor until the next call.
   /// @param k        N/m
   /// @param m        #V, kg
   /// @param delta_t  s
-  Factorisation factorise(double k, const Vector& m, double delta_t, const Progress& progress);
+  /// @return whether Q is positive definite as far as the arithmetic can tell; if not, there is no
+  /// factor until the next call
+  bool factorise(double k, const Vector& m, double delta_t, const Progress& progress);
 
   /// Takes the known positions, forces and targets of a time step; its other fields must be those
   /// of analyse() and factorise(), but that its pins may be listed in another order.

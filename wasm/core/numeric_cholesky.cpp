@@ -8,8 +8,10 @@
 namespace mass_spring {
 namespace {
 
-// Multiplications between two calls of progress: some milliseconds.
+// Progress is told no oftener than this: multiplications, some milliseconds of them, and shares of
+// the whole.
 constexpr double progress_interval = 2e7;
+constexpr double progress_share = 0.01;
 
 // Rows by columns whose products are summed at once, so that every number loaded serves several.
 constexpr int tile_rows = 4;
@@ -53,9 +55,10 @@ class NumericCholesky {
   }
 
   /// Left-looking: a panel takes what all panels left of it subtract from it, then is factorised.
-  Factorisation run(double coupling, const Vector& diagonal, const Progress& progress) {
+  bool run(double coupling, const Vector& diagonal, const Progress& progress) {
     values_.assign(symbolic_.values, 0);
     for (const std::int64_t entry : symbolic_.edge_values) values_[entry] = -coupling;
+    const double interval = std::max(progress_interval, progress_share * total_work_);
     double done = 0, reported = 0;
     for (int t = 0; t < size(); ++t) {
       for (int c = 0; c < node(t).width; ++c) {
@@ -67,15 +70,15 @@ class NumericCholesky {
         subtract_products(s, t);
         s = next;
       }
-      if (!factorise_panel(t)) return Factorisation::not_positive_definite;
+      if (!factorise_panel(t)) return false;
       make_due(t);
       done += work(t);
-      if (done - reported >= progress_interval) {
-        if (!progress(done / total_work_)) return Factorisation::cancelled;
+      if (done - reported >= interval) {
+        progress(done / total_work_);
         reported = done;
       }
     }
-    return Factorisation::done;
+    return true;
   }
 
  private:
@@ -168,9 +171,8 @@ class NumericCholesky {
 
 }  // namespace
 
-Factorisation numeric_cholesky(const SymbolicCholesky& symbolic, double coupling,
-                               const Vector& diagonal, const Progress& progress,
-                               std::vector<double>& values) {
+bool numeric_cholesky(const SymbolicCholesky& symbolic, double coupling, const Vector& diagonal,
+                      const Progress& progress, std::vector<double>& values) {
   return NumericCholesky(symbolic, values).run(coupling, diagonal, progress);
 }
 

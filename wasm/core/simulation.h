@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "history.h"
@@ -26,6 +27,8 @@ class Simulation {
  public:
   /// Iteration, E(p^k) - E(p^0) in J and ‖∂E/∂p^k‖∞ in N, of every iteration.
   static constexpr int compare_columns = 3;
+
+  void set_progress(StageProgress progress) { system_.set_progress(std::move(progress)); }
 
   Status set_scene(const std::vector<double>& V, const std::vector<int>& E,
                    const std::vector<double>& m, const std::vector<int>& pinned,

@@ -53,6 +53,7 @@ void System::clear(const Parameters& parameters) {
 
 Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
   const auto status = [](bool done) { return done ? Status{} : not_positive_definite; };
+  progress_("factorising", 0);  // the plain path cannot tell more
   if (auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
     return status(fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
                                                          step.delta_t, step.w, r, *dense));
@@ -64,6 +65,7 @@ Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
   }
   sparse_matrices(V, step.E, step.m, step.pinned, r, sparse);
   if (!analysed_ || !same_set(analysed_pins_, step.pinned)) {
+    progress_("ordering", 0);
     fast_->analyse(V, step.E, r, step.pinned);
     analysed_pins_ = step.pinned;
     analysed_ = true;
@@ -72,9 +74,8 @@ Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
   if (bytes > largest_factor || fast_->nonzeros() > most_nonzeros) {
     return {StatusCode::too_large, "factor", -1, bytes};
   }
-  const auto never_cancelled = [](double) { return true; };
-  return status(fast_->factorise(step.k, step.m, step.delta_t, never_cancelled) ==
-                Factorisation::done);
+  const Progress factorising = [this](double fraction) { progress_("factorising", fraction); };
+  return status(fast_->factorise(step.k, step.m, step.delta_t, factorising));
 }
 
 void System::reorder_pins(const TimeStep& step) {

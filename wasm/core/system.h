@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "fast_system.h"
@@ -14,10 +17,15 @@
 
 namespace mass_spring {
 
+/// Told which stage precompute() is at, as module.ts names it, and which fraction of that is done.
+using StageProgress = std::function<void(const std::string& stage, double fraction)>;
+
 /// The precomputation in whichever storage was asked for, and what is done with it. On the fast
 /// path the matrices are there to be looked at, and FastSystem does the work.
 class System {
  public:
+  void set_progress(StageProgress progress) { progress_ = std::move(progress); }
+
   /// Gives back the memory of the last system, of which there may not be twice as much.
   void clear(const Parameters& parameters);
 
@@ -65,6 +73,7 @@ class System {
  private:
   double factor_bytes() const;
 
+  StageProgress progress_ = [](const std::string&, double) {};
   std::variant<SparsePrecomputation, DensePrecomputation> precomputation_;
   std::optional<FastSystem> fast_;
   Indices analysed_pins_;  // #pinned: those that fast_ was analysed for

@@ -16,8 +16,7 @@ namespace {
 FastSystem prepared(const TimeStep& step) {
   FastSystem system;
   system.analyse(step.p_curr, step.E, step.r, step.pinned);
-  REQUIRE(system.factorise(step.k, step.m, step.delta_t, [](double) { return true; }) ==
-          Factorisation::done);
+  REQUIRE(system.factorise(step.k, step.m, step.delta_t, [](double) {}));
   system.begin(step);
   return system;
 }

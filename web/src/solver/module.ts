@@ -28,6 +28,9 @@ export interface Status {
   value: number;
 }
 
+/** What a long call is at: finding the order of elimination, which cannot tell how far it is, and computing L. */
+export type Stage = 'ordering' | 'factorising';
+
 export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'path' | 'storage';
 
 export const methods = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
@@ -90,6 +93,9 @@ export interface VertexProbe {
  * Every Float64Array returned here is a BORROWED view of wasm memory, valid until the next call on the module: copy what is kept.
  */
 export interface Simulation {
+  /** Has set_scene, set_parameters and set_pins tell, from inside the call, which fraction of a stage is done. */
+  set_progress(report: (stage: Stage, fraction: number) => void): void;
+
   /** Replaces everything; on failure the previous scene stays, untouched. V #V×3, E #E×2, m #V, pinned #pinned, row-major. Cursor to (1, 0). */
   set_scene(V: Float64Array, E: Int32Array, m: Float64Array, pinned: Int32Array, parameters: Parameters): Status;
   /** Refactorises when k, delta_t, w or mass_scale changed; on failure the previous parameters stay. */
