@@ -65,9 +65,8 @@ int main() {
   const SparseMatrix M = from_triplets(vertex_count, vertex_count, mass);       // #V by #V, kg
   const SparseMatrix C = from_triplets(pinned_count, vertex_count, selection);  // #pinned by #V
   const SparseMatrix At = A.transpose();
-  const SparseMatrix CtC = C.transpose() * C;
-
   const SparseMatrix AtA = At * A;
+  const SparseMatrix CtC = C.transpose() * C;
 
   // Q = k AᵀA + M/Δt² + w CᵀC
   const auto system_matrix = [&](double stiffness) -> SparseMatrix {
