@@ -11,7 +11,7 @@ test('a symbol under the pointer shows its card, and is marked wherever it stand
   await page.locator('.half-global .equation-formulas [data-sym="d"]').first().hover();
   const card = page.locator('.symbol-card');
   await expect(card).toContainText('#E × 3');
-  await expect(page.locator('.half-local .sym-highlighted').first()).toBeVisible();
+  await expect(page.locator('.half-local .equation-formulas [data-sym="d"]').first()).toHaveCSS('box-shadow', /2px/);
   await page.mouse.move(5, 5);
   await expect(card).toHaveCount(0);
 });

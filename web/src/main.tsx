@@ -4,6 +4,7 @@ import { Actions } from './app/actions.ts';
 import { followAddress, readAddress } from './app/address.ts';
 import { language, t } from './app/messages/index.ts';
 import { Obstacle } from './app/obstacle.ts';
+import { followPointing } from './app/pointing.ts';
 import { appliedTheme, reducedMotion } from './app/preferences.ts';
 import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
@@ -12,6 +13,8 @@ import { defaultState, state } from './app/state.ts';
 import { keepOffline } from './app/updates.ts';
 import { cameraKey } from './labs/springs/camera_keys.ts';
 import { SpringsLab } from './labs/springs/springs_lab.tsx';
+import { symbolStyle } from './notation/symbol_style.ts';
+import { SymbolCard } from './views/equations/symbol_card.tsx';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
 import { Notices } from './views/notices/notices.tsx';
@@ -28,6 +31,10 @@ effect(() => {
 effect(() => {
   document.title = t('page.title');
 });
+
+const symbolSheet = new CSSStyleSheet();
+symbolSheet.replaceSync(symbolStyle());
+document.adoptedStyleSheets.push(symbolSheet);
 
 function Page({ actions }: { actions: Actions }) {
   return (
@@ -48,6 +55,7 @@ function Page({ actions }: { actions: Actions }) {
       )}
       <UpdateOffer />
       <Notices />
+      <SymbolCard />
     </>
   );
 }
@@ -67,6 +75,7 @@ async function begin(): Promise<void> {
   render(<Page actions={actions} />, root);
   followAddress(() => actions.restore(readAddress()));
   listen(actions);
+  followPointing(document.documentElement);
   keepOffline();
   if (!reducedMotion.value) actions.play();
 }

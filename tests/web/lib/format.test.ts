@@ -7,6 +7,7 @@ import {
   formatLength,
   formatNumber,
   formatQuantity,
+  formatVector,
 } from '../../../web/src/lib/format.ts';
 
 const thin = '\u2009';
@@ -97,5 +98,12 @@ describe('columnScale', () => {
         expect(formatInColumn(0, columnScale(reference, unit))).toMatch(/^0(\.0+)?$/);
       }),
     );
+  });
+});
+
+describe('formatVector', () => {
+  it('writes all components in the scale of the largest', () => {
+    expect(formatVector([0.12, -9.8, 0], 'N')).toBe(`(0.12, −9.80, 0.00)${thin}N`);
+    expect(formatVector([0.0312, 0, 0.001], 'm')).toBe(`(31.2, 0.0, 1.0)${thin}mm`);
   });
 });

@@ -1,5 +1,46 @@
-import { signal } from '@preact/signals';
-import type { SymbolId } from '../notation/symbols.ts';
+import { computed, signal } from '@preact/signals';
+import { isAbout, type SymbolId, symbolIds, type Thing } from '../notation/symbols.ts';
+import type { Figure } from './figure.ts';
+import type { Selection } from './state.ts';
 
-/** The symbol the reader points at: every view marks all its occurrences. */
-export const highlightedSymbol = signal<SymbolId | null>(null);
+/** What the reader points at, with a mouse, a finger or the keyboard. Formulas, matrices, code and pictures all light it. */
+export interface Highlight {
+  /** One symbol, or those that meet in a line of code. */
+  symbols: readonly SymbolId[];
+  /** Where it was pointed at; null in running text, which is about every figure. */
+  figure: Figure | null;
+  /** Of the figure: one spring, one vertex, or both for an entry of a matrix. */
+  spring: number | null;
+  vertex: number | null;
+}
+
+export const nothing: Highlight = { symbols: [], figure: null, spring: null, vertex: null };
+
+export const highlighted = signal<Highlight>(nothing);
+
+/** The symbols to mark: those pointed at, or all that have a row or column for the spring or vertex pointed at. */
+export const litSymbols = computed<readonly SymbolId[]>(() => {
+  const { symbols, spring, vertex } = highlighted.value;
+  if (symbols.length > 0) return symbols;
+  return symbolIds.filter(
+    (id) => (spring !== null && isAbout(id, 'spring')) || (vertex !== null && isAbout(id, 'vertex')),
+  );
+});
+
+/** The spring and vertex to mark in a figure: those pointed at, or the selected ones where a symbol is about such. */
+export function litThings(figure: Figure): Selection {
+  const { figure: pointedIn, spring, vertex } = highlighted.value;
+  if (pointedIn !== null && pointedIn !== figure) return { spring: null, vertex: null };
+  if (spring !== null || vertex !== null) return { spring, vertex };
+  const selection = figure.selection.value;
+  return {
+    spring: areAllLit('spring') ? selection.spring : null,
+    vertex: areAllLit('vertex') ? selection.vertex : null,
+  };
+}
+
+/** Whether a symbol stands for all springs, or all vertices, of every figure: pictures mark them as a whole. */
+export function areAllLit(thing: Thing): boolean {
+  const { symbols, spring, vertex } = highlighted.value;
+  return spring === null && vertex === null && symbols.some((id) => isAbout(id, thing));
+}

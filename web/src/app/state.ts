@@ -4,6 +4,7 @@ import type { Frame } from '../solver/frame.ts';
 import type { Parameters } from '../solver/module.ts';
 import type { Pins } from '../solver/protocol.ts';
 import { sceneParameters } from '../solver/scene_parameters.ts';
+import type { Figure } from './figure.ts';
 import type { Language } from './messages/index.ts';
 
 /** Everything worth saving: what a link, a preset or a fixture holds. Plain JSON, checked by schema.ts. */
@@ -89,13 +90,17 @@ export const dragging = signal<number | null>(null);
 // Computed one by one, so that what follows a part does not hear of the others.
 const chosenParameters = computed(() => state.value.parameters);
 const chosenPins = computed(() => state.value.pins);
-export const selectedVertex = computed(() => state.value.selection.vertex);
+const selection = computed(() => state.value.selection);
+export const selectedVertex = computed(() => selection.value.vertex);
 
 /** The parameters in force. */
 export const parameters = computed(() => parametersOn(scene.value, chosenParameters.value));
 
 /** The pins in force. */
 export const pins = computed(() => pinsOn(scene.value, chosenPins.value));
+
+/** The lab's simulation, for what formulas, matrices and code show of one. */
+export const labFigure: Figure = { scene, r, frame, parameters, selection };
 
 /** The scene's own parameters with the reader's changes. */
 export function parametersOn(s: Scene, chosen: AppState['parameters']): Parameters {

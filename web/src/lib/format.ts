@@ -79,6 +79,12 @@ export function formatInColumn(value: number, scale: ColumnScale): string {
   return formatFixed(value * scale.factor, scale.decimals);
 }
 
+/** Components that share one scale, and their unit: "(0.12, −9.80, 0.00) N". */
+export function formatVector(components: readonly number[], unit: string, digits = 3): string {
+  const scale = columnScale(Math.max(...components.map(Math.abs)), unit, digits);
+  return `(${components.map((component) => formatInColumn(component, scale)).join(', ')})${thinSpace}${scale.unit}`;
+}
+
 function lengthUnit(metres: number): { unit: string; factor: number } {
   const magnitude = Math.abs(metres);
   if (magnitude >= 0.1 || magnitude < 1e-7) return { unit: 'm', factor: 1 };

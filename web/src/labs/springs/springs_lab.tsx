@@ -1,6 +1,7 @@
 import type { Actions } from '../../app/actions.ts';
 import { type MessageKey, t } from '../../app/messages/index.ts';
-import { frame, playing, r, scene, state } from '../../app/state.ts';
+import { holds } from '../../app/pointing.ts';
+import { frame, labFigure, playing, r, scene, state } from '../../app/state.ts';
 import { Icon } from '../../lib/icon.tsx';
 import type { Frame } from '../../solver/frame.ts';
 import { Controls } from '../../views/controls/controls.tsx';
@@ -20,7 +21,7 @@ import './springs_lab.css';
 export function SpringsLab({ actions }: { actions: Actions }) {
   const f = frame.value as Frame;
   return (
-    <main class="springs-lab">
+    <main class="springs-lab" ref={holds(labFigure)}>
       <div class="stage" data-phase={playing.value ? 'playing' : f.phase}>
         <Stage actions={actions} />
         <section class="half half-local" aria-label={t('page.local.name')}>

@@ -18,18 +18,16 @@ export const globalFormulas = [
 
 /** The global step's equation, its row for the selected vertex, and how well it is solved. */
 export function GlobalEquation({ frame }: { frame: Frame }) {
-  const { k, delta_t, w, path } = parameters.value;
+  const { path } = parameters.value;
   const event = frame.events[frame.half_step];
   return (
     <EquationPanel
       title={t('equations.global.title')}
       formulas={globalFormulas}
-      symbols={['Q', 'p', 'b', 'k', 'A', 'd', 'y', 'M', 'deltaT', 'pCurr', 'pPrev', 'fExt', 'w', 'C', 'pTarget']}
       known={['d', 'y', 'Q']}
       unknown="p"
       active={frame.phase === 'global'}
       note={noteAt(frame, path)}
-      values={{ k: formatQuantity(k, 'N/m'), deltaT: formatQuantity(delta_t, 's'), w: formatQuantity(w, 'N/m') }}
     >
       {frame.vertexEquation ? (
         <VertexRow frame={frame} equation={frame.vertexEquation} />

@@ -1,5 +1,5 @@
 import { t } from '../../app/messages/index.ts';
-import { columnScale, formatInColumn, formatLength, formatQuantity } from '../../lib/format.ts';
+import { columnScale, formatInColumn, formatQuantity } from '../../lib/format.ts';
 import type { Frame } from '../../solver/frame.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { type Spring, type SpringNumbers, springNumbers } from './spring_numbers.ts';
@@ -23,12 +23,10 @@ export function LocalEquation({ frame, spring }: Props) {
     <EquationPanel
       title={t('equations.local.title')}
       formulas={localFormulas}
-      symbols={['d', 'r', 'p']}
       known={['p', 'r']}
       unknown="d"
       active={frame.phase === 'local'}
       note={noteAt(frame)}
-      values={spring ? { r: formatLength(spring.r, 4) } : {}}
     >
       {spring ? (
         <Substitution spring={spring} numbers={springNumbers(frame, spring)} />

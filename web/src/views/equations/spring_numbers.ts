@@ -1,5 +1,5 @@
+import { norm, row, subtract, type Vector } from '../../lib/vector.ts';
 import type { Frame } from '../../solver/frame.ts';
-import { norm, row, subtract, type Vector } from './vector.ts';
 
 /** Row `index` of E and r: vertices i and j, rest length r in m. */
 export interface Spring {

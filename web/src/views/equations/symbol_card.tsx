@@ -1,51 +1,58 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { highlighted, litThings } from '../../app/highlight.ts';
 import { t } from '../../app/messages/index.ts';
+import { cardId, type Hook, pointAway, pointed } from '../../app/pointing.ts';
+import { sizeOf, symbolValue } from '../../app/symbol_value.ts';
 import { symbolCommand } from '../../notation/macros.ts';
-import { type SymbolId, symbol } from '../../notation/symbols.ts';
+import { sectionIds } from '../../notation/sections.ts';
+import { type SymbolId, symbol, thingAlong } from '../../notation/symbols.ts';
 import { Formula } from './formula.tsx';
-import { pointAt } from './pointing.ts';
 
-interface Props {
-  id: SymbolId;
-  anchor: HTMLElement;
-  /** The symbol's present value in words and numbers, if it has one here. */
-  value: string | undefined;
+/** The card of the symbol that is pointed at, if one is. To be put on the page once. */
+export function SymbolCard() {
+  const hook = pointed.value?.hook;
+  const [id] = highlighted.value.symbols;
+  return hook?.dataset.sym && id ? <Card id={id} hook={hook} /> : null;
 }
 
-/** Id of the one open card, for aria-describedby. */
-export const symbolCardId = 'symbol-card';
-
-/** What a symbol is: name, shape, unit, meaning and present value, beside the place that was pointed at. */
-export function SymbolCard({ id, anchor, value }: Props) {
+/** What a symbol is: name, meaning, shape, unit, present value, and where the lesson introduces it. Beside the place that was pointed at. */
+function Card({ id, hook }: { id: SymbolId; hook: Hook }) {
   const card = useRef<HTMLDivElement>(null);
-  const { shape, unit, code, section, definition } = symbol(id);
+  const { unit, code, section, definition } = symbol(id);
 
   useLayoutEffect(() => {
-    if (card.current) placeBeside(card.current, anchor);
+    const place = () => {
+      if (card.current) placeBeside(card.current, hook);
+    };
+    place();
+    document.addEventListener('scroll', place, { capture: true, passive: true });
+    return () => document.removeEventListener('scroll', place, { capture: true });
   });
 
   useLayoutEffect(() => {
-    const close = () => pointAt(null);
-    const closeOnEscape = (event: KeyboardEvent) => {
-      if (event.key === 'Escape') close();
+    const enter = (event: MouseEvent) => {
+      if (event.detail === 0) card.current?.querySelector('a')?.focus(); // pressed with a key
     };
-    const closeOutside = (event: PointerEvent) => {
-      const inside =
-        event.target instanceof Node && (card.current?.contains(event.target) || anchor.contains(event.target));
-      if (!inside) close();
-    };
-    document.addEventListener('keydown', closeOnEscape);
-    document.addEventListener('pointerdown', closeOutside);
-    document.addEventListener('scroll', close, { capture: true, passive: true });
-    return () => {
-      document.removeEventListener('keydown', closeOnEscape);
-      document.removeEventListener('pointerdown', closeOutside);
-      document.removeEventListener('scroll', close, { capture: true });
-    };
-  }, [anchor]);
+    hook.addEventListener('click', enter as EventListener);
+    return () => hook.removeEventListener('click', enter as EventListener);
+  }, [hook]);
+
+  // The card stands at the end of the page, its hook in the midst of it: Tab goes on from the hook, Escape returns there.
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key !== 'Tab' && event.key !== 'Escape') return;
+    if (event.shiftKey) event.preventDefault();
+    hook.focus();
+  };
 
   return (
-    <div ref={card} id={symbolCardId} role="tooltip" class="symbol-card">
+    <div
+      ref={card}
+      id={cardId}
+      role="dialog"
+      aria-label={t(`symbols.name.${id}`)}
+      class="symbol-card"
+      onKeyDown={onKeyDown}
+    >
       <p class="symbol-card-name">
         <Formula tex={symbolCommand(id)} /> <strong>{t(`symbols.name.${id}`)}</strong>
       </p>
@@ -57,29 +64,67 @@ export function SymbolCard({ id, anchor, value }: Props) {
       )}
       <dl>
         <dt>{t('equations.card.shape')}</dt>
-        <dd>{shape.join(' × ') || t('equations.card.number')}</dd>
+        <dd>{shapeText(id)}</dd>
         <dt>{t('equations.card.unit')}</dt>
         <dd>{unit ?? t('equations.card.dimensionless')}</dd>
         <dt>{t('equations.card.code')}</dt>
         <dd>
           <code>{code}</code>
         </dd>
-        {value !== undefined && (
-          <>
-            <dt>{t('equations.card.value')}</dt>
-            <dd>{value}</dd>
-          </>
-        )}
+        <PresentValue id={id} />
       </dl>
-      <p class="symbol-card-section">{t(`symbols.section.${section}`)}</p>
+      <a href={`#/lesson/${section}`}>
+        {t('equations.card.lesson', {
+          number: sectionIds.indexOf(section) + 1,
+          title: t(`symbols.section.${section}`),
+        })}
+      </a>
     </div>
   );
 }
 
-/** Above the anchor where there is room, else below; always inside the window. Touching it, so that a mouse can reach the card. */
-function placeBeside(card: HTMLElement, anchor: HTMLElement): void {
+function shapeText(id: SymbolId): string {
+  const { figure } = highlighted.value;
+  const { shape } = symbol(id);
+  if (shape.length === 0) return t('equations.card.number');
+  const counted = shape.join(' × ');
+  const size = figure && sizeOf(id, figure);
+  return size === null || size === counted ? counted : `${counted} = ${size}`;
+}
+
+function PresentValue({ id }: { id: SymbolId }) {
+  const { figure } = highlighted.value;
+  if (!figure) return null;
+  const at = litThings(figure);
+  const value = symbolValue(id, figure, at);
+  if (value === null) return null;
+  const [rows] = symbol(id).shape;
+  const thing = rows && thingAlong(rows);
+  return (
+    <>
+      <dt>
+        {thing === 'spring'
+          ? t('equations.local.spring', { index: at.spring })
+          : thing === 'vertex'
+            ? t('equations.global.vertex', { index: at.vertex })
+            : t('equations.card.value')}
+      </dt>
+      <dd>{value}</dd>
+    </>
+  );
+}
+
+/**
+ * Above the hook where there is room, else below; always inside the window, and touching the hook, so that a mouse can reach the card. A hook
+ * that has left the page or the window takes its card with it.
+ */
+function placeBeside(card: HTMLElement, hook: Hook): void {
   const margin = 8; // px
-  const at = anchor.getBoundingClientRect();
+  const at = hook.getBoundingClientRect();
+  if (!hook.isConnected || at.bottom < 0 || at.top > window.innerHeight) {
+    pointAway();
+    return;
+  }
   const { width, height } = card.getBoundingClientRect();
   const left = Math.min(at.left + at.width / 2 - width / 2, window.innerWidth - width - margin);
   const top = at.top - height >= margin ? at.top - height : Math.min(at.bottom, window.innerHeight - height - margin);

@@ -1,6 +1,6 @@
 import { type ColumnScale, formatInColumn } from '../../lib/format.ts';
+import { norm, type Vector } from '../../lib/vector.ts';
 import { Formula } from './formula.tsx';
-import { norm, type Vector } from './vector.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 

@@ -1,5 +1,5 @@
+import { norm, row, subtract } from '../../lib/vector.ts';
 import type { Frame } from '../../solver/frame.ts';
-import { norm, row, subtract } from './vector.ts';
 
 /** ‖p_i − p_before,i‖, m: how far the half-step at the cursor moved a vertex. */
 export function vertexMove(frame: Frame, vertex: number): number {

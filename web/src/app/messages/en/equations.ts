@@ -34,5 +34,6 @@ export const equations = {
     code: 'in code',
     number: 'a number',
     dimensionless: 'none',
+    lesson: 'Lesson, section {{number}}: {{title}}',
   },
 };
