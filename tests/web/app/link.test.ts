@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
+import { methods } from '../../../web/src/solver/module.ts';
 
 const inside = ({ min, max }: { min: number; max: number }) => fc.double({ min, max, noNaN: true });
 const point = fc.tuple(coordinate(), coordinate(), coordinate());
@@ -11,20 +12,33 @@ function coordinate() {
   return fc.double({ min: -1e3, max: 1e3, noNaN: true }).map((x) => x + 0); // JSON has no −0
 }
 
+/** Never both stopping rules. */
+const stoppingRules = fc.oneof(
+  fc.constant({}),
+  fc.record({ stop_gradient: inside(limits.stop_gradient) }),
+  fc.record({ stop_decrease: inside(limits.stop_decrease) }),
+);
+
 const states: fc.Arbitrary<AppState> = fc.record({
   version: fc.constant(1 as const),
   scene: fc.stringMatching(/^[\w-]{1,64}$/),
-  parameters: fc.record(
-    {
-      k: inside(limits.k),
-      delta_t: inside(limits.delta_t),
-      mass_scale: inside(limits.mass_scale),
-      w: inside(limits.w),
-      iterations: fc.integer(limits.iterations),
-      wind: fc.boolean(),
-    },
-    { requiredKeys: [] },
-  ),
+  parameters: fc
+    .tuple(
+      fc.record(
+        {
+          k: inside(limits.k),
+          delta_t: inside(limits.delta_t),
+          mass_scale: inside(limits.mass_scale),
+          w: inside(limits.w),
+          iterations: fc.integer(limits.iterations),
+          wind: fc.boolean(),
+          method: fc.constantFrom(...methods),
+        },
+        { requiredKeys: [] },
+      ),
+      stoppingRules,
+    )
+    .map(([scaled, rule]) => ({ ...scaled, ...rule })),
   pins: fc.option(fc.array(fc.record({ vertex: fc.nat(9999), target: fc.option(point) }), { maxLength: 20 })),
   selection: fc.record({ spring: fc.option(fc.nat(9999)), vertex: fc.option(fc.nat(9999)) }),
   view: fc.record({
@@ -32,6 +46,7 @@ const states: fc.Arbitrary<AppState> = fc.record({
     springs: fc.boolean(),
     surface: fc.boolean(),
     projector: fc.boolean(),
+    plot: fc.constantFrom('trace' as const, 'comparison' as const),
     camera: fc.option(
       fc.record({ position: point, target: point }).filter(({ position, target }) => `${position}` !== `${target}`),
     ),
@@ -77,10 +92,12 @@ describe('the link', () => {
     ['broken JSON', '#/springs?pins=[1', 'pins'],
     ['broken percent escapes', '#/springs?scene=%E0%A4%A', 'scene'],
     ['a parameter that does not exist', '#/springs?parameters={"q":1}', 'parameters'],
+    ['a method that does not exist', '#/springs?parameters={"method":"magic"}', 'parameters'],
+    ['two stopping rules at once', '#/springs?parameters={"stop_gradient":1,"stop_decrease":0.01}', 'parameters'],
     ['a scene name that could leave the folder', '#/springs?scene="../x"', 'scene'],
     [
       'a camera that looks nowhere',
-      '#/springs?view={"exaggeration":1,"springs":true,"surface":true,"projector":false,"camera":{"position":[1,1,1],"target":[1,1,1]}}',
+      '#/springs?view={"exaggeration":1,"springs":true,"surface":true,"projector":false,"plot":"trace","camera":{"position":[1,1,1],"target":[1,1,1]}}',
       'view',
     ],
     ['a page that does not exist', '#/nowhere', '#'],

@@ -1,11 +1,12 @@
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { comparison } from '../../../web/src/app/comparison.ts';
 import { notices } from '../../../web/src/app/notices.ts';
 import { Session } from '../../../web/src/app/session.ts';
 import { defaultState, dragging, frame, playing, scene as sceneSignal, state } from '../../../web/src/app/state.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
 import { type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
-import type { Opened, Outcome, Request } from '../../../web/src/solver/protocol.ts';
+import type { MethodRequest, MethodRun, Opened, Outcome, Request } from '../../../web/src/solver/protocol.ts';
 
 const scene: Scene = {
   name: 'pair',
@@ -35,6 +36,16 @@ class FakeClient {
   };
   readonly open = (_: unknown, request: Request) => this.ask(request);
   readonly run = this.ask;
+
+  /** Answers at once, once it may. */
+  readonly compared: string[] = [];
+  mayCompare = Promise.resolve();
+  readonly compare = async ({ method }: MethodRequest): Promise<Outcome<MethodRun>> => {
+    this.compared.push(method);
+    await this.mayCompare;
+    const zero = Float64Array.of(0);
+    return { ok: true, value: { method, change: zero, gradient: zero, converged: true, milliseconds: 1 } };
+  };
 
   async settle(how: 'ok' | 'refused' | 'crash'): Promise<void> {
     await turn();
@@ -69,6 +80,7 @@ beforeEach(async () => {
   dragging.value = null;
   notices.value = [];
   frame.value = null;
+  comparison.value = null;
   client = new FakeClient();
   session = new Session(client as unknown as SolverClient);
   const opening = session.open(scene, { ...defaultState, scene: 'pair' });
@@ -77,6 +89,10 @@ beforeEach(async () => {
   session.start();
   await client.settle('ok');
   client.requests.length = 0;
+});
+
+afterEach(() => {
+  client.mayCompare = new Promise(() => {}); // this session goes on listening to the signals; it is to stay silent
 });
 
 const setK = (k: number) => {
@@ -170,5 +186,55 @@ describe('the session', () => {
     session.order({ kind: 'stay' });
     await client.settle('ok');
     expect(client.requests.at(-1)?.wholeTrace).toBe(true);
+  });
+
+  it('measures what an iteration takes while idle, and while playing once a second', async () => {
+    frame.value = { ...paused, events: [] };
+    session.order({ kind: 'stay' });
+    await client.settle('ok');
+    playing.value = true;
+    session.order({ kind: 'play', steps: 1 });
+    await client.settle('ok');
+    expect(client.requests.map(({ profile }) => profile)).toEqual([true, false]);
+  });
+
+  describe('with the comparison on the page', () => {
+    const show = () => {
+      state.value = { ...state.value, view: { ...state.value.view, plot: 'comparison' } };
+    };
+    const quick = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
+
+    it('runs the methods one by one when idle', async () => {
+      show();
+      await turn();
+      expect(client.compared).toEqual(quick);
+      expect(comparison.value?.runs.map(({ method }) => method)).toEqual(quick);
+    });
+
+    it('lets what the reader does go first', async () => {
+      let allow = () => {};
+      client.mayCompare = new Promise((done) => {
+        allow = done;
+      });
+      show();
+      session.order({ kind: 'next_half_step' });
+      allow();
+      await turn();
+      expect(client.compared).toEqual(['lbfgs']); // it was on its way
+      expect(client.unanswered).toBe(1);
+      await client.settle('ok');
+      expect(client.compared).toEqual(quick);
+    });
+
+    it('waits while the clock runs or a pin is dragged', async () => {
+      playing.value = true;
+      show();
+      await turn();
+      expect(client.compared).toEqual([]);
+      playing.value = false;
+      dragging.value = 0;
+      await client.settle('ok');
+      expect(client.compared).toEqual([]);
+    });
   });
 });

@@ -1,4 +1,5 @@
 import type { Scene } from '../scene/scene.ts';
+import { compareNewton } from './comparison.ts';
 import { limits } from './limits.ts';
 import { encodeLink } from './link.ts';
 import type { Language } from './messages/index.ts';
@@ -15,6 +16,7 @@ import {
   pins,
   playing,
   type Selection,
+  type StoppingRule,
   scene,
   state,
   type ViewOptions,
@@ -70,8 +72,13 @@ export class Actions {
   }
 
   // Parameters.
-  setParameter<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): void {
+  setParameter<Name extends Exclude<keyof Adjustable, StoppingRule>>(name: Name, value: Adjustable[Name]): void {
     this.change({ parameters: { ...state.value.parameters, [name]: clamped(name, value) } });
+  }
+  /** Null: a time step always makes K iterations. */
+  setStoppingRule(rule: StoppingRule | null, epsilon = 0): void {
+    const { stop_gradient: _, stop_decrease: __, ...others } = state.value.parameters;
+    this.change({ parameters: rule ? { ...others, [rule]: clamped(rule, epsilon) } : others });
   }
   resetParameter(name: keyof Adjustable): void {
     const { [name]: _, ...others } = state.value.parameters;
@@ -132,6 +139,10 @@ export class Actions {
   }
   setView(view: Partial<ViewOptions>): void {
     this.change({ view: { ...state.value.view, ...view } });
+  }
+  /** Newton's method joins the comparison of this time step. */
+  compareNewton(): void {
+    compareNewton();
   }
   setTheme(theme: AppState['theme']): void {
     this.change({ theme });
@@ -215,8 +226,8 @@ export class Actions {
 }
 
 function clamped<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): Adjustable[Name] {
-  if (typeof value === 'boolean' || name === 'wind') return value;
-  const { min, max } = limits[name as keyof typeof limits];
+  if (typeof value !== 'number') return value;
+  const { min, max } = limits[name as keyof typeof limits]; // the names of all that are numbers
   return Math.min(max, Math.max(min, value)) as Adjustable[Name];
 }
 

@@ -1,4 +1,5 @@
 import * as z from 'zod/mini';
+import { methods } from '../solver/module.ts';
 import { limits } from './limits.ts';
 import { languages } from './messages/index.ts';
 import type { AppState } from './state.ts';
@@ -11,14 +12,19 @@ const point = z.tuple([z.number(), z.number(), z.number()]);
 export const stateSchema = {
   version: z.literal(1),
   scene: z.string().check(z.regex(/^[\w-]{1,64}$/)),
-  parameters: z.strictObject({
-    k: z.optional(within(limits.k)),
-    delta_t: z.optional(within(limits.delta_t)),
-    mass_scale: z.optional(within(limits.mass_scale)),
-    w: z.optional(within(limits.w)),
-    iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
-    wind: z.optional(z.boolean()),
-  }),
+  parameters: z
+    .strictObject({
+      k: z.optional(within(limits.k)),
+      delta_t: z.optional(within(limits.delta_t)),
+      mass_scale: z.optional(within(limits.mass_scale)),
+      w: z.optional(within(limits.w)),
+      iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
+      wind: z.optional(z.boolean()),
+      method: z.optional(z.enum(methods)),
+      stop_gradient: z.optional(within(limits.stop_gradient)),
+      stop_decrease: z.optional(within(limits.stop_decrease)),
+    })
+    .check(z.refine((chosen) => chosen.stop_gradient === undefined || chosen.stop_decrease === undefined)),
   pins: z.nullable(z.array(z.strictObject({ vertex: index, target: z.nullable(point) })).check(z.maxLength(2000))),
   selection: z.strictObject({ spring: z.nullable(index), vertex: z.nullable(index) }),
   view: z.strictObject({
@@ -31,6 +37,7 @@ export const stateSchema = {
         z.refine(({ position, target }) => position.some((x, axis) => x !== target[axis])), // or it would look nowhere
       ),
     ),
+    plot: z.enum(['trace', 'comparison']),
   }),
   language: z.enum(languages),
   theme: z.enum(['light', 'dark', 'system']),

@@ -1,9 +1,12 @@
 import { batch, effect, untracked } from '@preact/signals';
 import type { Scene } from '../scene/scene.ts';
 import { type SolverClient, SolverCrash } from '../solver/client.ts';
-import type { Status } from '../solver/module.ts';
+import type { Frame } from '../solver/frame.ts';
+import type { Method, Status } from '../solver/module.ts';
 import type { Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
+import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
+import { iterationTime, playedStep } from './measurements.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
 import {
@@ -24,6 +27,9 @@ import {
 /** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
 const longestQueue = 4;
 
+/** How often playing waits for a measurement. */
+const profilePeriod_ms = 1000;
+
 /**
  * Drives the solver from the state: at most one request in flight, made from whatever the state is when it is sent. Sliders and drags therefore
  * coalesce by themselves (the last value wins), and a refused value puts the last accepted ones back.
@@ -36,6 +42,8 @@ export class Session {
   private stale = false;
   /** The last request failed and nothing has changed since: asking again would fail again. */
   private halted = false;
+  /** When what an iteration takes was last measured, ms. */
+  private profiled = Number.NEGATIVE_INFINITY;
   private accepted: Pick<AppState, 'parameters' | 'pins'> = { parameters: {}, pins: null };
 
   private readonly client: SolverClient;
@@ -54,6 +62,9 @@ export class Session {
         this.halted = false;
         void this.pump();
       });
+    });
+    effect(() => {
+      if (missingMethod.value) untracked(() => void this.pump());
     });
     const tick = (now: number) => {
       requestAnimationFrame(tick);
@@ -92,6 +103,7 @@ export class Session {
         command: { kind: 'stay' },
         selectedVertex: change.selection.vertex,
         wholeTrace: false,
+        profile: false,
       });
       if (outcome.ok) {
         this.accepted = { parameters: change.parameters, pins: change.pins };
@@ -124,8 +136,10 @@ export class Session {
   private async pump(): Promise<void> {
     while (!this.current && frame.value) {
       const command = this.next();
-      if (!command) return;
-      this.current = this.run(this.request(command));
+      const method = missingMethod.value;
+      if (command) this.current = this.run(this.request(command));
+      else if (method && this.idle()) this.current = this.compare(method);
+      else return;
       try {
         await this.current;
       } finally {
@@ -147,8 +161,23 @@ export class Session {
     return f !== null && dragging.value === null && f.events.length <= f.last_half_step;
   }
 
+  private idle(): boolean {
+    return !playing.value && dragging.value === null && !this.halted;
+  }
+
+  private async compare(method: Method): Promise<void> {
+    const [asked, settings] = [timeStep.value, state.value];
+    try {
+      compared(asked, method, await this.client.compare(comparisonRequest(method)));
+    } catch (reason) {
+      this.crashed(reason, settings);
+    }
+  }
+
   private request(command: Command): Request {
     const wholeTrace = command.kind === 'stay' && !this.stale && this.unfinishedTrace();
+    const profile = wholeTrace || (command.kind === 'play' && performance.now() > this.profiled + profilePeriod_ms);
+    if (profile) this.profiled = performance.now();
     this.stale = false;
     return {
       parameters: parameters.value,
@@ -156,6 +185,7 @@ export class Session {
       command,
       selectedVertex: selectedVertex.value,
       wholeTrace,
+      profile,
     };
   }
 
@@ -166,16 +196,27 @@ export class Session {
       if (outcome.ok) {
         this.accepted = settings;
         frame.value = outcome.value.frame;
-        if (request.command.kind === 'play') this.clock.spent(request.command.steps, outcome.value.frame.milliseconds);
+        this.measured(request.command, outcome.value.frame);
       } else {
         this.explain(outcome.status);
         this.fallBack(settings);
       }
     } catch (reason) {
-      if (!(reason instanceof SolverCrash)) throw reason;
-      notify('error', 'page.errors.crash', { reason: reason.message });
-      this.fallBack(settings);
+      this.crashed(reason, settings);
     }
+  }
+
+  private measured(command: Command, { milliseconds, profile }: Frame): void {
+    if (profile) iterationTime.value = profile;
+    if (command.kind !== 'play') return;
+    this.clock.spent(command.steps, milliseconds);
+    playedStep.add(milliseconds / command.steps, performance.now());
+  }
+
+  private crashed(reason: unknown, settings: Pick<AppState, 'parameters' | 'pins'>): void {
+    if (!(reason instanceof SolverCrash)) throw reason;
+    notify('error', 'page.errors.crash', { reason: reason.message });
+    this.fallBack(settings);
   }
 
   /** Puts the last accepted parameters and pins back, unless it was those that failed or the reader has moved on. */

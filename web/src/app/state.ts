@@ -22,8 +22,14 @@ export interface AppState {
   theme: 'light' | 'dark' | 'system';
 }
 
-/** The parameters a reader can move. Units as in solver/module.ts. */
-export type Adjustable = Pick<Parameters, 'k' | 'delta_t' | 'mass_scale' | 'w' | 'iterations' | 'wind'>;
+/** The parameters a reader can change. Units as in solver/module.ts. At most one of the two stopping rules is in force. */
+export type Adjustable = Pick<
+  Parameters,
+  'k' | 'delta_t' | 'mass_scale' | 'w' | 'iterations' | 'wind' | 'method' | StoppingRule
+>;
+
+/** What may end a time step before its K-th iteration; 0 where it may not. */
+export type StoppingRule = 'stop_gradient' | 'stop_decrease';
 
 export interface Pin {
   vertex: number;
@@ -44,6 +50,8 @@ export interface ViewOptions {
   /** Bigger type, secondary controls folded away. */
   projector: boolean;
   camera: Camera | null;
+  /** This time step half-step by half-step, or by every method. */
+  plot: 'trace' | 'comparison';
 }
 
 /** Metres; up is +y. */
@@ -58,7 +66,7 @@ export const defaultState: AppState = {
   parameters: {},
   pins: null,
   selection: { spring: null, vertex: null },
-  view: { exaggeration: 'automatic', springs: true, surface: true, projector: false, camera: null },
+  view: { exaggeration: 'automatic', springs: true, surface: true, projector: false, camera: null, plot: 'trace' },
   language: 'en',
   theme: 'system',
 };

@@ -1,5 +1,15 @@
 import { wrap } from 'comlink';
-import type { Checkpoint, Opened, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
+import type {
+  Checkpoint,
+  MethodRequest,
+  MethodRun,
+  Opened,
+  Outcome,
+  Problem,
+  Reply,
+  Request,
+  SolverService,
+} from './protocol.ts';
 
 /** The solver trapped, hung or vanished and was replaced; what the page last showed is restored. */
 export class SolverCrash extends Error {
@@ -49,6 +59,11 @@ export class SolverClient {
     return outcome;
   }
 
+  /** The present time step by another method. Throws SolverCrash after restoring the last good state in a new worker. */
+  async compare(request: MethodRequest): Promise<Outcome<MethodRun>> {
+    return this.guarded((service) => service.compare(request));
+  }
+
   private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
     try {
       return await this.untilFailure(call(await this.ready()));
@@ -86,7 +101,7 @@ export class SolverClient {
     await this.untilFailure(service.start(this.options.wasmBinary));
     if (this.lastGood) {
       const { problem, request, checkpoint } = this.lastGood;
-      const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false };
+      const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false, profile: false };
       const outcome = await this.untilFailure(service.open(problem, restored, checkpoint));
       if (!outcome.ok) throw new Error(`the last good state was refused: ${outcome.status.code}`);
     }

@@ -1,10 +1,10 @@
 /** What the solver's worker sends to the page: one place in the trace, in arrays the page owns. */
 
-import type { FactorisationReason } from './module.ts';
+import type { FactorisationReason, StopReason } from './module.ts';
 
 export type Phase = 'predict' | 'local' | 'global' | 'accept';
 
-/** One half-step of the time step's trace. Energies in J, residual in N, change in m. */
+/** One half-step of the time step's trace. Energies in J, gradient and residual in N, change in m. */
 export interface TraceEvent {
   half_step: number;
   phase: Phase;
@@ -18,6 +18,8 @@ export interface TraceEvent {
   inertia: number;
   external: number;
   pin: number;
+  /** ‖∂E/∂p‖∞ of the vertices that are free to move. */
+  gradient: number;
   /** ‖Qp − b‖∞ of a global step, 0 elsewhere. */
   residual: number;
   /** max_i ‖p_i − p_before,i‖. */
@@ -33,12 +35,21 @@ export interface VertexEquation {
   Qp: number[];
 }
 
+/** ms of one iteration's local step (on the fast path: ∂E/∂p) and of its global step (Q⁻¹). */
+export interface Profile {
+  local: number;
+  global: number;
+}
+
 export interface Frame {
   /** Number of the time step being computed, from 1. */
   step: number;
   half_step: number;
   last_half_step: number;
+  /** Made in this time step; K as long as its end is not known. */
   iterations: number;
+  /** Why it ended; empty as long as that is not known. */
+  stopReason: StopReason | '';
   phase: Phase;
   iteration: number;
   /** #V×3, m: the iterate at the cursor, and the one before it. Doubles: exaggeration ×1000 would show single precision's grain. */
@@ -60,4 +71,6 @@ export interface Frame {
   rememberedSteps: number;
   /** Wall-clock ms the worker spent on the request that made this frame. */
   milliseconds: number;
+  /** Null unless the request asked for it. */
+  profile: Profile | null;
 }

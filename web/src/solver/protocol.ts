@@ -1,5 +1,5 @@
 import type { Frame } from './frame.ts';
-import type { Parameters, Status } from './module.ts';
+import type { Method, Parameters, Status } from './module.ts';
 
 /** What the solver needs of a scene. */
 export interface Problem {
@@ -37,6 +37,29 @@ export interface Request {
   selectedVertex: number | null;
   /** Trace this time step to its end, so that the plot shows where the iteration is going. */
   wholeTrace: boolean;
+  /** Measure what an iteration takes. */
+  profile: boolean;
+}
+
+/** The time step that the solver stands in, solved by another method. */
+export interface MethodRequest {
+  method: Method;
+  iterations: number;
+  /** Fewer iterations where these would take longer than about this, ms. */
+  patience_ms: number;
+}
+
+/** Its way down from p^t: of every iterate p^k, k = 0, 1, …, */
+export interface MethodRun {
+  method: Method;
+  /** E(p^k) − E(p^0), J, */
+  change: Float64Array;
+  /** and ‖∂E/∂p^k‖∞ of the vertices that are free to move, N. */
+  gradient: Float64Array;
+  /** Whether it ended because E falls no further. */
+  converged: boolean;
+  /** Wall-clock ms of one iteration, on average. */
+  milliseconds: number;
 }
 
 /** Enough to put a new solver exactly where this one stood. Arrays are #V×3, m. */
@@ -66,4 +89,6 @@ export interface SolverService {
   /** Opens a problem, at rest or where `from` says. On failure the problem open before stays. */
   open(problem: Problem, request: Request, from: Checkpoint | null): Promise<Outcome<Opened>>;
   run(request: Request): Promise<Outcome<Reply>>;
+  /** Leaves the solver where it stands. */
+  compare(request: MethodRequest): Promise<Outcome<MethodRun>>;
 }

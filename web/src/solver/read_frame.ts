@@ -24,6 +24,7 @@ export function readFrame(
     half_step,
     last_half_step,
     iterations: (last_half_step - 1) / 2,
+    stopReason: s.stop_reason(),
     ...place,
     p: s.p().slice(),
     pBefore: s.p_before().slice(),
@@ -37,6 +38,7 @@ export function readFrame(
     factorisations: { count: s.factorisation_count(), reason: s.factorisation_reason() },
     rememberedSteps: s.remembered_steps(),
     milliseconds: 0,
+    profile: null,
   };
 }
 

@@ -1,5 +1,17 @@
+import { compareMethod } from './compare_method.ts';
+import { measureIteration } from './measure_iteration.ts';
 import type { Simulation, SolverModule, Status } from './module.ts';
-import type { Checkpoint, Command, Opened, Outcome, Problem, Reply, Request } from './protocol.ts';
+import type {
+  Checkpoint,
+  Command,
+  MethodRequest,
+  MethodRun,
+  Opened,
+  Outcome,
+  Problem,
+  Reply,
+  Request,
+} from './protocol.ts';
 import { readFrame } from './read_frame.ts';
 
 const ok: Status = { code: 'ok', field: '', index: -1, value: 0 };
@@ -29,6 +41,10 @@ export class SolverSession {
     if (status.code === 'ok') status = this.simulation.set_pins(request.pins.pinned, request.pins.targets);
     if (status.code === 'ok') status = this.move(request.command);
     return this.reply(status, request, started);
+  }
+
+  compare(request: MethodRequest): Outcome<MethodRun> {
+    return compareMethod(this.simulation, request);
   }
 
   private move(command: Command): Status {
@@ -78,6 +94,7 @@ export class SolverSession {
       events: !playing,
     });
     frame.milliseconds = performance.now() - started;
+    if (request.profile) frame.profile = measureIteration(s);
     return { ok: true, value: { frame, checkpoint: readCheckpoint(s) } };
   }
 }

@@ -1,6 +1,6 @@
 import { expose, transfer } from 'comlink';
 import createSolver from '#wasm/solver.js';
-import type { Checkpoint, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
+import type { Checkpoint, MethodRequest, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
 import { SolverSession } from './solver_session.ts';
 
 let session: SolverSession | null = null;
@@ -31,6 +31,9 @@ const service: SolverService = {
   },
   async run(request: Request) {
     return send(theSession().run(request));
+  },
+  async compare(request: MethodRequest) {
+    return theSession().compare(request);
   },
 };
 

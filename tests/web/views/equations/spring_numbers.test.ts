@@ -13,6 +13,7 @@ function frameAt(phase: Phase): Frame {
     half_step: 0,
     last_half_step: 3,
     iterations: 1,
+    stopReason: 'iterations',
     phase,
     iteration: 1,
     p: moved ? after : before,
@@ -27,6 +28,7 @@ function frameAt(phase: Phase): Frame {
     factorisations: { count: 1, reason: 'scene' },
     rememberedSteps: 0,
     milliseconds: 0,
+    profile: null,
   };
 }
 

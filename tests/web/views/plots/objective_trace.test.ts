@@ -6,7 +6,7 @@ import { objectiveTrace } from '../../../../web/src/views/plots/objective_trace.
 
 /** The event of a half-step with spring energy `objective`, or `surrogate` while d is held, and no other term. */
 function event(half_step: number, last: number, objective: number, surrogate: number): TraceEvent {
-  const zero = { inertia: 0, external: 0, pin: 0, residual: 0, change: 0 };
+  const zero = { inertia: 0, external: 0, pin: 0, gradient: 0, residual: 0, change: 0 };
   return { half_step, ...placeOf(half_step, last), objective, surrogate, potential: objective, ...zero };
 }
 

@@ -3,10 +3,18 @@ import { traceCsv } from '../../../../web/src/views/plots/trace_csv.ts';
 
 it('writes one line a half-step, every digit of every number', () => {
   const third = 1 / 3;
-  const terms = { objective: third, surrogate: third, potential: third, inertia: 0, external: 0, pin: 0 };
+  const terms = {
+    objective: third,
+    surrogate: third,
+    potential: third,
+    inertia: 0,
+    external: 0,
+    pin: 0,
+    gradient: 0.1,
+  };
   const csv = traceCsv([{ half_step: 1, iteration: 1, phase: 'local', ...terms, residual: 0, change: 2e-12 }]);
   expect(csv).toBe(
-    'half_step,iteration,phase,surrogate,objective,potential,inertia,external,pin,residual,change\n' +
-      '1,1,local,0.3333333333333333,0.3333333333333333,0.3333333333333333,0,0,0,0,2e-12\n',
+    'half_step,iteration,phase,surrogate,objective,potential,inertia,external,pin,gradient,residual,change\n' +
+      '1,1,local,0.3333333333333333,0.3333333333333333,0.3333333333333333,0,0,0,0.1,0,2e-12\n',
   );
 });

@@ -8,7 +8,7 @@ import { Controls } from '../../views/controls/controls.tsx';
 import { GlobalEquation } from '../../views/equations/global_equation.tsx';
 import { LocalEquation } from '../../views/equations/local_equation.tsx';
 import { SpringInspector, VertexInspector } from '../../views/inspector/inspector.tsx';
-import { ObjectiveChart } from '../../views/plots/objective_chart.tsx';
+import { Plots } from '../../views/plots/plots.tsx';
 import { SolverPanel } from '../../views/solver_panel/solver_panel.tsx';
 import { Transport } from '../../views/transport/transport.tsx';
 import { GlobalLegend, LocalLegend } from './legends.tsx';
@@ -64,7 +64,7 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <Controls actions={actions} />
         </details>
         <div class="evidence">
-          <ObjectiveChart frame={f} onSeek={(half_step) => actions.seek(half_step)} />
+          <Plots frame={f} actions={actions} />
           <SolverPanel />
         </div>
       </div>

@@ -1,6 +1,7 @@
 import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
+import { drawingTime } from '../../app/measurements.ts';
 import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
 import { appliedTheme } from '../../app/preferences.ts';
@@ -19,8 +20,10 @@ export function Stage({ actions }: { actions: Actions }) {
     const element = canvas.current as HTMLCanvasElement;
     let drawing = 0;
     const draw = () => {
+      const started = performance.now();
       drawing = 0;
       view.render();
+      drawingTime.add(performance.now() - started, started);
       pictures.value++;
       document.body.dataset.ready = 'true';
     };

@@ -2,6 +2,7 @@ import type { Actions } from '../../app/actions.ts';
 import { exaggerations } from '../../app/limits.ts';
 import { t } from '../../app/messages/index.ts';
 import { parameters, scene, state } from '../../app/state.ts';
+import { MethodControl } from './method_control.tsx';
 import { ParameterControl } from './parameter_control.tsx';
 import './controls.css';
 
@@ -14,8 +15,9 @@ export function Controls({ actions }: { actions: Actions }) {
       <ParameterControl name="k" letter="k" symbol="k" unit="N/m" actions={actions} />
       <ParameterControl name="delta_t" letter="Δt" symbol="deltaT" unit="s" actions={actions} />
       <ParameterControl name="mass_scale" letter="m" symbol="m" unit="×" actions={actions} />
-      <ParameterControl name="iterations" letter="K" symbol={null} unit="" actions={actions} />
       <ParameterControl name="w" letter="w" symbol="w" unit="N/m" actions={actions} />
+      <ParameterControl name="iterations" letter="K" symbol={null} unit="" actions={actions} />
+      <MethodControl actions={actions} />
 
       <div class="controls-switches">
         <label title={t('page.controls.windHint')}>

@@ -18,7 +18,6 @@ export const globalFormulas = [
 
 /** The global step's equation, its row for the selected vertex, and how well it is solved. */
 export function GlobalEquation({ frame }: { frame: Frame }) {
-  const { path } = parameters.value;
   const event = frame.events[frame.half_step];
   return (
     <EquationPanel
@@ -27,7 +26,7 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
       known={['d', 'y', 'Q']}
       unknown="p"
       active={frame.phase === 'global'}
-      note={noteAt(frame, path)}
+      note={noteAt(frame, parameters.value)}
     >
       {frame.vertexEquation ? (
         <VertexRow frame={frame} equation={frame.vertexEquation} />
@@ -46,8 +45,9 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
   );
 }
 
-function noteAt({ phase, vertexEquation, pinned }: Frame, path: Parameters['path']): string | null {
+function noteAt({ phase, vertexEquation, pinned }: Frame, { method, path }: Parameters): string | null {
   if (phase === 'predict') return t('equations.global.notYet');
+  if (method !== 'local-global') return t(`equations.global.method.${method}`);
   if (path === 'fast' && vertexEquation && pinned.includes(vertexEquation.vertex)) return t('equations.global.pinned');
   return phase === 'local' ? t('equations.global.waiting') : null;
 }

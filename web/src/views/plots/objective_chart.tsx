@@ -1,16 +1,14 @@
-import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useMemo, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
-import { appliedTheme } from '../../app/preferences.ts';
+import { parameters } from '../../app/state.ts';
 import { asRanges } from '../../lib/as_ranges.ts';
 import { formatQuantity } from '../../lib/format.ts';
 import type { Frame } from '../../solver/frame.ts';
-import { ObjectivePlot, type ObjectivePlotCallbacks, type ObjectivePlotState } from './objective_plot.ts';
+import { ObjectivePlot } from './objective_plot.ts';
 import { objectiveTrace } from './objective_trace.ts';
 import { placeText, TraceReadout } from './trace_readout.tsx';
 import { TraceTable } from './trace_table.tsx';
-import 'uplot/dist/uPlot.min.css';
-import '../../notation/colours.css';
-import './plots.css';
+import { usePlot } from './use_plot.ts';
 
 interface Props {
   frame: Frame;
@@ -23,24 +21,20 @@ export function ObjectiveChart({ frame, onSeek }: Props) {
   if (frame.events.length > 0) lastTraced.current = frame;
   const traced = lastTraced.current;
 
-  return (
-    <figure class="objective">
-      <figcaption>{t('plots.title')}</figcaption>
-      {traced ? (
-        <Trace frame={traced} stale={traced !== frame} onSeek={onSeek} />
-      ) : (
-        <p class="objective-note">{t('plots.invite')}</p>
-      )}
-    </figure>
-  );
+  if (!traced) return <p class="objective-note">{t('plots.invite')}</p>;
+  return <Trace frame={traced} stale={traced !== frame} onSeek={onSeek} />;
 }
 
 function Trace({ frame, stale, onSeek }: Props & { stale: boolean }) {
   const { events, step, half_step: cursorHalfStep, last_half_step: lastHalfStep } = frame;
+  const { method } = parameters.value;
   const [inspectedHalfStep, inspect] = useState<number | null>(null);
   const points = useMemo(() => objectiveTrace(events), [events]);
-  const marks = { points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale };
-  const host = usePlot(marks, { onInspect: inspect, onSeek });
+  const marks = useMemo(
+    () => ({ points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale }),
+    [points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale],
+  );
+  const host = usePlot((element) => new ObjectivePlot(element, { onInspect: inspect, onSeek }), marks);
 
   const shown = points[inspectedHalfStep ?? cursorHalfStep];
   const highest = formatQuantity(Math.max(...points.map(({ height }) => height ?? 0)), 'J');
@@ -75,41 +69,12 @@ function Trace({ frame, stale, onSeek }: Props & { stale: boolean }) {
         aria-label={t('plots.label', { step, count: events.length, highest })}
       />
       <p class="objective-axis">{t('plots.halfStep')}</p>
+      {method !== 'local-global' && (
+        <p class="objective-note">{t('plots.notHeld', { method: t(`methods.name.${method}`) })}</p>
+      )}
       {atLowest.length > 0 && <p class="objective-note">{t('plots.atLowest', { list: asRanges(atLowest) })}</p>}
       {stale ? <p class="objective-note">{t('plots.stale', { step })}</p> : shown && <TraceReadout point={shown} />}
       <TraceTable step={step} events={events} cursorHalfStep={cursorHalfStep} onSeek={onSeek} />
     </>
   );
-}
-
-/** Keeps an ObjectivePlot in the element that the returned ref is given to. */
-function usePlot(state: ObjectivePlotState, callbacks: ObjectivePlotCallbacks) {
-  const host = useRef<HTMLDivElement>(null);
-  const plot = useRef<ObjectivePlot | null>(null);
-  const latest = useRef(callbacks);
-  latest.current = callbacks;
-
-  useLayoutEffect(() => {
-    const element = host.current as HTMLDivElement;
-    const made = new ObjectivePlot(element, {
-      onInspect: (halfStep) => latest.current.onInspect(halfStep),
-      onSeek: (halfStep) => latest.current.onSeek(halfStep),
-    });
-    plot.current = made;
-    const resizing = new ResizeObserver(() => made.resize());
-    resizing.observe(element);
-    return () => {
-      resizing.disconnect();
-      made.destroy();
-    };
-  }, []);
-
-  const { points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale } = state;
-  useLayoutEffect(() => {
-    plot.current?.update({ points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale });
-  }, [points, cursorHalfStep, lastHalfStep, inspectedHalfStep, stale]);
-
-  const theme = appliedTheme.value;
-  useEffect(() => plot.current?.setTheme(), [theme]);
-  return host;
 }

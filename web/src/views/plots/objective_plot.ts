@@ -1,7 +1,8 @@
 import uPlot from 'uplot';
-import { formatPowerOfTen } from '../../lib/format.ts';
 import { drawTrace, type TraceMarks } from './draw_trace.ts';
-import { decadesAround, decadeTicks } from './log_axis.ts';
+import { decadesAround } from './log_axis.ts';
+import { pageStyle, powersOfTen } from './plot_axes.ts';
+import type { Plot } from './use_plot.ts';
 
 export interface ObjectivePlotCallbacks {
   /** The reader points at a half-step, or no longer at any. */
@@ -15,7 +16,7 @@ export interface ObjectivePlotState extends TraceMarks {
 }
 
 /** Objective against half-steps on a log axis. One owner makes it and destroys it. */
-export class ObjectivePlot {
+export class ObjectivePlot implements Plot<ObjectivePlotState> {
   private state: ObjectivePlotState = {
     points: [],
     cursorHalfStep: 0,
@@ -40,13 +41,12 @@ export class ObjectivePlot {
     else this.plot.setData(this.data());
   }
 
-  /** Call when the host's size has changed. The page's type may have grown with it, and uPlot takes fonts only when built. */
+  /** The page's type may have grown with the host, and uPlot takes fonts only when built. */
   resize(): void {
     this.plot.destroy();
     this.plot = this.build();
   }
 
-  /** Call when the page's colours have changed. */
   setTheme(): void {
     this.plot.redraw(false, true);
   }
@@ -61,15 +61,7 @@ export class ObjectivePlot {
   }
 
   private build(): uPlot {
-    const style = getComputedStyle(this.host);
-    const colour = (name: string) => style.getPropertyValue(name);
-    const pixels = Math.round(0.8 * Number.parseFloat(style.fontSize)); // uPlot reads no fractions
-    const axis: uPlot.Axis = {
-      font: `${pixels}px ${style.fontFamily}`,
-      stroke: () => colour('--muted'),
-      grid: { stroke: () => colour('--line'), width: 1 },
-      ticks: { stroke: () => colour('--line'), width: 1, size: 4 },
-    };
+    const { axis, colour } = pageStyle(this.host);
     const options: uPlot.Options = {
       width: this.host.clientWidth,
       height: this.host.clientHeight,
@@ -81,13 +73,7 @@ export class ObjectivePlot {
       },
       axes: [
         { ...axis, size: 28, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] },
-        {
-          ...axis,
-          size: 52,
-          splits: (plot, _, lowest, highest) => decadeTicks(lowest, highest, plot.height / 28).map((n) => 10 ** n),
-          filter: (_, ticks) => ticks,
-          values: (_, ticks) => ticks.map((tick) => formatPowerOfTen(Math.round(Math.log10(tick)))),
-        },
+        { ...axis, size: 52, ...powersOfTen(28, ({ height }) => height) },
       ],
       series: [{}, { paths: () => null, points: { show: false } }],
       hooks: {

@@ -1,4 +1,5 @@
 import type { TraceEvent } from '../../solver/frame.ts';
+import { roundingOf } from '../../solver/rounding_of.ts';
 
 /** A half-step's place in the plot. */
 export interface TracePoint {
@@ -15,7 +16,7 @@ export interface TracePoint {
  */
 export function objectiveTrace(events: readonly TraceEvent[]): TracePoint[] {
   const lowest = Math.min(...events.map((event) => event.objective));
-  const rounding = 8 * Number.EPSILON * Math.max(...events.map(largestTerm));
+  const rounding = roundingOf(events);
   return events.map((event, index) => {
     const height = event.surrogate - lowest;
     const before = events[index - 1];
@@ -25,9 +26,4 @@ export function objectiveTrace(events: readonly TraceEvent[]): TracePoint[] {
       drop: before ? event.surrogate - before.surrogate : null,
     };
   });
-}
-
-/** The sum that makes E cannot be more exact than its largest term. */
-function largestTerm({ surrogate, potential, inertia, external, pin }: TraceEvent): number {
-  return Math.max(...[surrogate, potential, inertia, external, pin].map(Math.abs));
 }

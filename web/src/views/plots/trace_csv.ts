@@ -11,6 +11,7 @@ export const traceFields = [
   'inertia',
   'external',
   'pin',
+  'gradient',
   'residual',
   'change',
 ] as const satisfies readonly (keyof TraceEvent)[];

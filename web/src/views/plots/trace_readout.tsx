@@ -21,6 +21,7 @@ export function TraceReadout({ point: { event, drop } }: { point: TracePoint }) 
       </p>
       <dl>
         {drop !== null && <Quantity name={t('plots.drop')}>{formatQuantity(drop, 'J')}</Quantity>}
+        <Quantity name={t('plots.gradient')}>{formatQuantity(event.gradient, 'N', 2)}</Quantity>
         {phase === 'global' && <Quantity name={t('plots.residual')}>{formatQuantity(event.residual, 'N', 2)}</Quantity>}
         {phase === 'global' && <Quantity name={t('plots.change')}>{formatLength(event.change)}</Quantity>}
         <Quantity name={t('plots.objective')}>{formatQuantity(event.objective, 'J', exact)}</Quantity>

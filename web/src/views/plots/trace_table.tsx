@@ -13,6 +13,7 @@ const quantities = [
   ['inertia', 'J'],
   ['external', 'J'],
   ['pin', 'J'],
+  ['gradient', 'N'],
   ['residual', 'N'],
   ['change', 'm'],
 ] as const;

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, playing } from '../../app/state.ts';
+import { frame, parameters, playing } from '../../app/state.ts';
 import { Icon, type IconName } from '../../lib/icon.tsx';
 import type { Frame, Phase } from '../../solver/frame.ts';
 import { placeOf } from '../../solver/read_frame.ts';
@@ -46,9 +46,7 @@ export function Transport({ actions }: { actions: Actions }) {
         <p class="transport-status" data-testid="status" aria-live={playing.value ? 'off' : 'polite'}>
           {statusText(f)}
         </p>
-        <p class="transport-story">
-          {t(`page.story.${playing.value ? 'playing' : f.phase}`, { iterations: f.iterations })}
-        </p>
+        <p class="transport-story">{storyText(f)}</p>
       </div>
       <Scrubber frame={f} actions={actions} />
     </section>
@@ -59,6 +57,15 @@ export function Transport({ actions }: { actions: Actions }) {
 function statusText({ step, iteration, iterations, phase }: Frame): string {
   if (playing.value) return t('page.transport.playing', { step, iterations });
   return t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${phase}`) });
+}
+
+/** What the half-step does. */
+function storyText({ phase, iterations }: Frame): string {
+  const { method } = parameters.value;
+  if (playing.value) return t('page.story.playing', { iterations });
+  if (phase === 'global' && method !== 'local-global')
+    return t('page.story.accelerated', { method: t(`methods.name.${method}`) });
+  return t(`page.story.${phase}`, { iterations });
 }
 
 function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {

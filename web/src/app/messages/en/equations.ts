@@ -18,6 +18,13 @@ export const equations = {
     notYet: 'Not yet: without d there is no b. The local step comes first.',
     pinned: 'Pinned exactly: its row is not solved, Qp − b is the force at the pin.',
     waiting: 'b is new; the next half-step solves for p.',
+    method: {
+      chebyshev: 'Chebyshev goes on beyond the solution of Qp = b, along the last move, so Qp − b is not 0.',
+      anderson: 'Anderson mixes the solution of Qp = b with those of the last iterations, so Qp − b is not 0.',
+      lbfgs:
+        'L-BFGS only sets out towards the solution of Qp = b, then turns by what the last iterations taught, so Qp − b is not 0.',
+      newton: 'Newton solves with the second derivatives of E in place of Q, so Qp − b is not 0.',
+    },
     vertex: 'Vertex {{index}}',
     moved: 'moved {{length}}',
     table: 'Row {{index}} of Qp = b, in {{unit}}',

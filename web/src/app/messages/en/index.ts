@@ -1,7 +1,8 @@
 import { sceneMessages } from '../../../scene/scene_error.ts';
 import { equations } from './equations.ts';
+import { methods } from './methods.ts';
 import { page } from './page.ts';
 import { plots } from './plots.ts';
 import { symbols } from './symbols.ts';
 
-export const en = { page, symbols, equations, plots, scene: sceneMessages };
+export const en = { page, symbols, equations, methods, plots, scene: sceneMessages };

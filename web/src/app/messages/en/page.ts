@@ -56,6 +56,8 @@ export const page = {
       'Local. p stands still. Each spring on its own, knowing nothing of its neighbours, takes its rest length along its present direction: d.',
     global:
       'Global. Every d stands still. One linear solve, Q p = b, moves all points to the best compromise between them.',
+    accelerated:
+      'Global. Every d stands still. {{method}} moves all points at once, not to where Q p = b puts them but on from there.',
     accept:
       'Accept. After {{iterations}} rounds this p becomes the position at the end of the time step. Only now does time advance.',
   },
@@ -122,7 +124,20 @@ export const page = {
       plain: 'held by the penalty w',
     },
     stiffness: 'stiffness number κ',
-    milliseconds: 'last answer',
+    timeStep: 'a time step',
+    localPart: '{{iterations}} × local:',
+    globalPart: '{{iterations}} × global:',
+    rest: 'the rest:',
+    drawing: 'a picture',
+    refresh: '60 Hz',
+    iterations: 'iterations',
+    stop: {
+      unknown: 'at most {{most}}',
+      iterations: '{{iterations}}: all K',
+      gradient: '{{iterations}} of at most {{most}}: the gradient of E is ≤ ε',
+      decrease: '{{iterations}} of at most {{most}}: E falls by no more than ε of itself',
+      rounding: '{{iterations}} of at most {{most}}: E falls no further, the rest is rounding',
+    },
     size: '{{vertices}} vertices, {{springs}} springs',
   },
   scenes: {

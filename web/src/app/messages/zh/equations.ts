@@ -21,6 +21,12 @@ export const equations: Catalogue<typeof en> = {
     notYet: '还没有 b：没有 d 就没有 b，要先做局部步。',
     pinned: '精确固定：这一行不参与求解，Qp − b 就是固定点的力。',
     waiting: 'b 已更新，下一个半步（全局步）才求解 p。',
+    method: {
+      chebyshev: '切比雪夫加速沿上一次移动的方向越过 Qp = b 的解，因此 Qp − b 不为 0。',
+      anderson: '安德森加速把 Qp = b 的解与前几次迭代的解线性组合，因此 Qp − b 不为 0。',
+      lbfgs: 'L-BFGS 法只以 Qp = b 的解为初始方向，再按前几次迭代加以修正，因此 Qp − b 不为 0。',
+      newton: '牛顿法用 E 的二阶导数矩阵代替 Q 求解，因此 Qp − b 不为 0。',
+    },
     vertex: '质点 {{index}}',
     moved: '移动了 {{length}}',
     table: 'Qp = b 的第 {{index}} 行，单位 {{unit}}',

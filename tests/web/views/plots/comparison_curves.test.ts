@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+import type { Method } from '../../../../web/src/solver/module.ts';
+import type { MethodRun } from '../../../../web/src/solver/protocol.ts';
+import {
+  abscissaRange,
+  comparisonCurves,
+  firstPlace,
+  pointAt,
+} from '../../../../web/src/views/plots/comparison_curves.ts';
+
+function run(method: Method, milliseconds: number, change: number[], converged = false): MethodRun {
+  return { method, milliseconds, converged, change: Float64Array.from(change), gradient: Float64Array.from(change) };
+}
+
+// By hand: L-BFGS reaches the lowest E, −8 J, in iteration 3, and its next one changes nothing.
+const plain = run('local-global', 0.5, [0, -4, -6, -7]);
+const lbfgs = run('lbfgs', 2, [0, -6, -7, -8, -8], true);
+const { curves, minimum } = comparisonCurves([lbfgs, plain], 1e-6);
+
+describe('comparisonCurves', () => {
+  it('measures every method against the lowest E of all', () => {
+    expect(minimum).toEqual({ method: 'lbfgs', iteration: 3, converged: true });
+    expect(curves[1].points.map(({ gap }) => gap)).toEqual([8, 4, 2, 1]);
+    expect(curves[1].points.map(({ milliseconds }) => milliseconds)).toEqual([0, 0.5, 1, 1.5]);
+  });
+
+  it('ends a curve where nothing but rounding is left', () => {
+    expect(curves[0].points.map(({ gap }) => gap)).toEqual([8, 2, 1, null]);
+    const [noisy] = comparisonCurves([run('anderson', 1, [0, -1, -1 - 1e-7, -1 - 2e-7])], 1e-6).curves;
+    expect(noisy.points.map(({ gap }) => gap)).toEqual([1 + 2e-7, null]);
+  });
+});
+
+describe('reading off', () => {
+  it('finds how far each method has come, after iterations or after time', () => {
+    expect(curves.map((curve) => pointAt(curve, 'iterations', 2).gap)).toEqual([1, 2]);
+    expect(curves.map((curve) => pointAt(curve, 'milliseconds', 1.2).iteration)).toEqual([0, 2]);
+    expect(pointAt(curves[1], 'iterations', 50).iteration).toBe(3);
+  });
+
+  it('begins after the K iterations of a time step, or after local/global’s time for them', () => {
+    expect(firstPlace(curves, 'iterations', 50)).toBe(50);
+    expect(firstPlace(curves, 'milliseconds', 50)).toBe(25);
+    expect(firstPlace(curves, 'iterations', 200)).toBe(100); // the end of the axis
+  });
+
+  it('has an axis of whole decades for the time: 0.5 ms to 6 ms', () => {
+    expect(abscissaRange(curves, 'milliseconds')).toEqual([0.1, 10]);
+  });
+});

@@ -1,0 +1,78 @@
+import { computed, signal } from '@preact/signals';
+import type { Method, Status } from '../solver/module.ts';
+import type { MethodRequest, MethodRun, Outcome } from '../solver/protocol.ts';
+import { roundingOf } from '../solver/rounding_of.ts';
+import { frame, parameters, pins, scene, state } from './state.ts';
+
+/** A time step as a problem: p^t, p^{t−Δt} and everything E(p) depends on. */
+export interface TimeStep {
+  step: number;
+}
+
+/** The same time step, by all methods. */
+export interface Comparison {
+  of: TimeStep;
+  /** In the order in which they were made. */
+  runs: readonly MethodRun[];
+  refusals: readonly { method: Method; status: Status }[];
+  /** J: smaller differences of E mean nothing. */
+  rounding: number;
+}
+
+/** How one method is run for it. */
+export function comparisonRequest(method: Method): MethodRequest {
+  return {
+    method,
+    iterations: method === 'lbfgs' ? 1000 : 100, // L-BFGS goes on to the minimum, which all are measured against
+    patience_ms: method === 'newton' ? 10_000 : 200,
+  };
+}
+
+/** Newton's method comes only when asked for: it can take seconds. L-BFGS first: without E* there is no gap to draw. */
+const quickMethods: readonly Method[] = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
+
+export const comparison = signal<Comparison | null>(null);
+const newtonAskedFor = signal<TimeStep | null>(null);
+
+const step = computed(() => frame.value?.step ?? 0);
+
+/** Of the parameters what E(p) depends on, and the path, which solves it a little differently. */
+const physics = computed(() => {
+  const { k, delta_t, w, mass_scale, gravity, wind, path, storage } = parameters.value;
+  return JSON.stringify([k, delta_t, w, mass_scale, gravity, wind, path, storage]);
+});
+
+/** The present time step: another object whenever it becomes another problem. */
+export const timeStep = computed<TimeStep>(() => {
+  void [scene.value, physics.value, pins.value];
+  return { step: step.value };
+});
+
+/** What the comparison on the page still lacks. */
+export const missingMethod = computed<Method | null>(() => {
+  const now = timeStep.value; // read whether or not it is needed: what is not followed could change and change back unseen
+  if (state.value.view.plot !== 'comparison') return null;
+  const done = comparison.value?.of === now ? comparison.value : null;
+  const wanted: readonly Method[] = newtonAskedFor.value === now ? [...quickMethods, 'newton'] : quickMethods;
+  return wanted.find((method) => !isIn(done, method)) ?? null;
+});
+
+function isIn(done: Comparison | null, method: Method): boolean {
+  return done !== null && [...done.runs, ...done.refusals].some((one) => one.method === method);
+}
+
+export function compareNewton(): void {
+  newtonAskedFor.value = timeStep.value;
+}
+
+/** Takes in how `method` fared on `of`, unless the page has gone on. */
+export function compared(of: TimeStep, method: Method, outcome: Outcome<MethodRun>): void {
+  if (of !== timeStep.value) return;
+  const before =
+    comparison.value?.of === of
+      ? comparison.value
+      : { of, runs: [], refusals: [], rounding: roundingOf(frame.value?.events ?? []) };
+  comparison.value = outcome.ok
+    ? { ...before, runs: [...before.runs, outcome.value] }
+    : { ...before, refusals: [...before.refusals, { method, status: outcome.status }] };
+}

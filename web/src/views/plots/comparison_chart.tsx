@@ -1,0 +1,100 @@
+import { useMemo, useState } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { type Comparison, comparison, timeStep } from '../../app/comparison.ts';
+import { t } from '../../app/messages/index.ts';
+import { parameters } from '../../app/state.ts';
+import { formatQuantity } from '../../lib/format.ts';
+import type { Method } from '../../solver/module.ts';
+import { Choice } from './choice.tsx';
+import { type Abscissa, abscissaRange, comparisonCurves, firstPlace, type Minimum } from './comparison_curves.ts';
+import { ComparisonPlot } from './comparison_plot.ts';
+import { ComparisonReadout, readOff } from './comparison_readout.tsx';
+import { ComparisonTable } from './comparison_table.tsx';
+import { PlaceSlider } from './place_slider.tsx';
+import { usePlot } from './use_plot.ts';
+import './comparison.css';
+
+/** The gap that each method leaves to the minimum of one time step, against iterations or against time. */
+export function ComparisonChart({ actions }: { actions: Actions }) {
+  const made = comparison.value;
+  if (!made || made.runs.length === 0) return <p class="objective-note">{t('plots.comparison.invite')}</p>;
+  return <Curves made={made} stale={made.of !== timeStep.value} actions={actions} />;
+}
+
+function Curves({ made, stale, actions }: { made: Comparison; stale: boolean; actions: Actions }) {
+  const [abscissa, setAbscissa] = useState<Abscissa>('iterations');
+  const [hidden, setHidden] = useState<readonly Method[]>([]);
+  const [pointed, point] = useState<number | null>(null);
+
+  const { curves, minimum } = useMemo(() => comparisonCurves(made.runs, made.rounding), [made]);
+  const range = useMemo(() => abscissaRange(curves, abscissa), [curves, abscissa]);
+  const place = pointed ?? firstPlace(curves, abscissa, parameters.value.iterations);
+  const inspected = abscissa === 'iterations' ? Math.round(place) : place;
+  const drawn = useMemo(
+    () => ({ curves: curves.filter(({ method }) => !hidden.includes(method)), abscissa, range, inspected, stale }),
+    [curves, hidden, abscissa, range, inspected, stale],
+  );
+  const host = usePlot((element) => new ComparisonPlot(element, point), drawn);
+  const { step } = made.of;
+
+  return (
+    <>
+      <div class="comparison-heading">
+        <span class="objective-note">{t('plots.comparison.gap')}</span>
+        <Choice
+          label={t('plots.comparison.against')}
+          options={[
+            ['iterations', t('plots.comparison.iterations')],
+            ['milliseconds', t('plots.comparison.milliseconds')],
+          ]}
+          chosen={abscissa}
+          onChoose={(chosen) => {
+            setAbscissa(chosen);
+            point(null);
+          }}
+        />
+      </div>
+      <PlaceSlider
+        abscissa={abscissa}
+        range={range}
+        place={inspected}
+        text={`${placeText(abscissa, inspected)}: ${readOff(drawn.curves, abscissa, inspected)}`}
+        onChoose={point}
+      />
+      <div
+        ref={host}
+        class="objective-plot"
+        role="img"
+        aria-label={t('plots.comparison.label', { step, methods: drawn.curves.length })}
+      />
+      <p class="objective-axis">{t(`plots.comparison.${abscissa}`)}</p>
+      {stale && <p class="objective-note">{t('plots.stale', { step })}</p>}
+      <ComparisonReadout
+        caption={placeText(abscissa, inspected)}
+        made={made}
+        curves={curves}
+        hidden={hidden}
+        abscissa={abscissa}
+        place={inspected}
+        onToggle={(method) =>
+          setHidden(hidden.includes(method) ? hidden.filter((other) => other !== method) : [...hidden, method])
+        }
+        onNewton={stale ? null : () => actions.compareNewton()}
+      />
+      <p class="objective-note">{minimumText(minimum)}</p>
+      <ComparisonTable step={step} caption={minimumText(minimum)} curves={curves} runs={made.runs} />
+    </>
+  );
+}
+
+function placeText(abscissa: Abscissa, place: number): string {
+  return abscissa === 'iterations'
+    ? t('plots.comparison.afterIterations', { place })
+    : t('plots.comparison.afterTime', { place: formatQuantity(place, 'ms', 2) });
+}
+
+/** What E* is: the minimum is known no better than by the best of the methods. */
+function minimumText({ method, iteration, converged }: Minimum): string {
+  const name = t(`methods.name.${method}`);
+  return t(converged ? 'plots.comparison.minimum' : 'plots.comparison.lowest', { name, iteration });
+}

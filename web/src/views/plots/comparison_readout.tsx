@@ -1,0 +1,111 @@
+import type { ComponentChildren } from 'preact';
+import { type Comparison, missingMethod } from '../../app/comparison.ts';
+import { t } from '../../app/messages/index.ts';
+import { formatNumber } from '../../lib/format.ts';
+import { type Method, methods } from '../../solver/module.ts';
+import { type Abscissa, type Curve, type CurvePoint, pointAt } from './comparison_curves.ts';
+import { methodStyles } from './method_styles.ts';
+
+interface Props {
+  /** Where the numbers are read off. */
+  caption: string;
+  made: Comparison;
+  curves: readonly Curve[];
+  hidden: readonly Method[];
+  abscissa: Abscissa;
+  place: number;
+  onToggle: (method: Method) => void;
+  /** Null where there is nothing to add it to. */
+  onNewton: (() => void) | null;
+}
+
+/** The plot's legend and its numbers at one place: a row for every method, whose name shows or hides its line. */
+export function ComparisonReadout({ caption, made, curves, hidden, abscissa, place, onToggle, onNewton }: Props) {
+  const row = (method: Method): ComponentChildren => {
+    const curve = curves.find((one) => one.method === method);
+    if (curve) return <Numbers point={pointAt(curve, abscissa, place)} />;
+    const refusal = made.refusals.find((one) => one.method === method);
+    if (refusal) return <td colSpan={4}>{t('plots.comparison.refused', { value: refusal.status.value })}</td>;
+    if (method !== 'newton' || missingMethod.value === 'newton')
+      return <td colSpan={4}>{t('plots.comparison.computing')}</td>;
+    return (
+      <td colSpan={4}>
+        <button type="button" disabled={onNewton === null} onClick={() => onNewton?.()}>
+          {t('plots.comparison.addNewton')}
+        </button>
+      </td>
+    );
+  };
+  return (
+    <table class="comparison-readout">
+      <caption>{caption}</caption>
+      <thead>
+        <tr>
+          <th scope="col">{t('methods.label')}</th>
+          <th scope="col">{t('plots.comparison.gapShort')}, J</th>
+          <th scope="col">{t('plots.gradient')}, N</th>
+          <th scope="col">{t('plots.comparison.iterations')}</th>
+          <th scope="col">{t('plots.comparison.milliseconds')}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {methods.map((method) => (
+          <tr key={method}>
+            <th scope="row">
+              <button
+                type="button"
+                aria-pressed={!hidden.includes(method)}
+                disabled={!curves.some((curve) => curve.method === method)}
+                onClick={() => onToggle(method)}
+              >
+                <Swatch method={method} />
+                {t(`methods.name.${method}`)}
+              </button>
+            </th>
+            {row(method)}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Numbers({ point: { iteration, milliseconds, gap, gradient } }: { point: CurvePoint }) {
+  return (
+    <>
+      <td>{gapText(gap)}</td>
+      <td>{formatNumber(gradient, 2)}</td>
+      <td>{iteration}</td>
+      <td>{formatNumber(milliseconds, 2)}</td>
+    </>
+  );
+}
+
+function Swatch({ method }: { method: Method }) {
+  const { colour, dash } = methodStyles[method];
+  return (
+    <svg class="swatch" viewBox="0 0 32 4" aria-hidden="true">
+      <line
+        x1="0"
+        y1="2"
+        x2="32"
+        y2="2"
+        stroke={`var(${colour})`}
+        stroke-width="2.5"
+        stroke-dasharray={dash.join(' ')}
+      />
+    </svg>
+  );
+}
+
+/** The gaps in a line, for those who hear them. */
+export function readOff(curves: readonly Curve[], abscissa: Abscissa, place: number): string {
+  const gaps = curves.map(
+    (curve) => `${t(`methods.name.${curve.method}`)} ${gapText(pointAt(curve, abscissa, place).gap)}`,
+  );
+  return `${t('plots.comparison.gapShort')}, J: ${gaps.join('; ')}`;
+}
+
+export function gapText(gap: number | null): string {
+  return gap === null ? t('plots.comparison.rounding') : formatNumber(gap, 2);
+}

@@ -1,0 +1,36 @@
+import type { Actions } from '../../app/actions.ts';
+import { t } from '../../app/messages/index.ts';
+import { state } from '../../app/state.ts';
+import type { Frame } from '../../solver/frame.ts';
+import { Choice } from './choice.tsx';
+import { ComparisonChart } from './comparison_chart.tsx';
+import { ObjectiveChart } from './objective_chart.tsx';
+import 'uplot/dist/uPlot.min.css';
+import '../../notation/colours.css';
+import './plots.css';
+
+/** One time step in a plot: half-step by half-step, or by every method. */
+export function Plots({ frame, actions }: { frame: Frame; actions: Actions }) {
+  const { plot } = state.value.view;
+  return (
+    <figure class="objective">
+      <figcaption>
+        {t(`plots.title.${plot}`)}
+        <Choice
+          label={t('plots.choice')}
+          options={[
+            ['trace', t('plots.trace')],
+            ['comparison', t('plots.byMethods')],
+          ]}
+          chosen={plot}
+          onChoose={(chosen) => actions.setView({ plot: chosen })}
+        />
+      </figcaption>
+      {plot === 'trace' ? (
+        <ObjectiveChart frame={frame} onSeek={(half_step) => actions.seek(half_step)} />
+      ) : (
+        <ComparisonChart actions={actions} />
+      )}
+    </figure>
+  );
+}
