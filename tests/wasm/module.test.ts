@@ -25,6 +25,7 @@ const doubles = expect.any(Float64Array);
 
 /** Every call of the hand-written interface, by the compiler's word, with what the real module returns. */
 const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Name]>, result: unknown] } = {
+  set_progress: [[() => {}], undefined],
   set_scene: [[V, E, m, pinned, usualParameters], status],
   set_parameters: [[usualParameters], status],
   set_pins: [[pinned, new Float64Array(3)], status],
