@@ -40,13 +40,21 @@ for (const language of ['en', 'zh'])
         await page.keyboard.press('Space');
         await page.addScriptTag({ path: axePath });
         expect(await seriousViolations(page)).toEqual([]);
+        await page.locator('.objective figcaption button').last().click();
+        await expect(page.locator('.comparison-readout')).toBeVisible();
+        expect(await seriousViolations(page)).toEqual([]);
         await context.close();
       });
 
 test('nothing is wider than a phone', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  const width = () => page.evaluate(() => document.documentElement.scrollWidth);
+  expect(await width()).toBeLessThanOrEqual(390);
+  await page.getByRole('button', { name: 'Methods', exact: true }).click();
+  await expect(page.locator('.comparison-readout')).toBeVisible();
+  expect(await width()).toBeLessThanOrEqual(390);
 });
 
 test('the whole page can be reached with the keyboard alone', async ({ page }) => {

@@ -55,7 +55,7 @@ function StoppingControl({ actions }: { actions: Actions }) {
         <option value="stop_decrease">{t('methods.stop.stop_decrease')}</option>
       </select>
       {rule && (
-        <>
+        <span class="tolerance">
           <label for="tolerance">{t('methods.stop.tolerance')}</label>
           <NumberField
             id="tolerance"
@@ -64,7 +64,7 @@ function StoppingControl({ actions }: { actions: Actions }) {
             unit={units[rule]}
             onSet={(epsilon) => actions.setStoppingRule(rule, epsilon)}
           />
-        </>
+        </span>
       )}
     </div>
   );
