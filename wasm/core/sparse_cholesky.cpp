@@ -7,10 +7,12 @@
 namespace mass_spring {
 namespace {
 
-bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
-  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize(), b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+bool same_pattern(const SparseMatrix& one, const SparseMatrix& other) {
+  return one.rows() == other.rows() && one.nonZeros() == other.nonZeros() &&
+         std::equal(one.outerIndexPtr(), one.outerIndexPtr() + one.outerSize(),
+                    other.outerIndexPtr()) &&
+         std::equal(one.innerIndexPtr(), one.innerIndexPtr() + one.nonZeros(),
+                    other.innerIndexPtr());
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { formulas } from '../../../../web/src/notation/formulas.ts';
 import { symbolCommand } from '../../../../web/src/notation/macros.ts';
 import { symbol, symbolIds } from '../../../../web/src/notation/symbols.ts';
-import { globalFormulas } from '../../../../web/src/views/equations/global_equation.tsx';
-import { localFormulas } from '../../../../web/src/views/equations/local_equation.tsx';
 import { renderTeX } from '../../../../web/src/views/equations/render_tex.ts';
 
 const definitions = symbolIds.flatMap((id) => symbol(id).definition ?? []);
@@ -14,7 +13,7 @@ describe('renderTeX', () => {
     expect(html).toContain('<math');
   });
 
-  it.each([...localFormulas, ...globalFormulas, ...definitions])('hooks every symbol of %s', (tex) => {
+  it.each([...Object.values(formulas).flat(), ...definitions])('hooks every symbol of %s', (tex) => {
     const html = renderTeX(tex, true);
     for (const [, id] of tex.matchAll(/\\sym([A-Za-z]+)/g)) expect(html).toContain(`data-sym="${id}"`);
   });

@@ -1,6 +1,7 @@
 import { t } from '../../app/messages/index.ts';
 import { parameters } from '../../app/state.ts';
 import { columnScale, formatLength, formatQuantity } from '../../lib/format.ts';
+import { formulas } from '../../notation/formulas.ts';
 import type { Frame, VertexEquation } from '../../solver/frame.ts';
 import type { Parameters } from '../../solver/module.ts';
 import { EquationPanel } from './equation_panel.tsx';
@@ -10,11 +11,7 @@ import { vertexMove } from './vertex_move.ts';
 
 const { raw } = String;
 
-export const globalFormulas = [
-  raw`\symQ\symp = \symb`,
-  raw`\symb = \symk\symA^{\mathrm T}\symd + \symy`,
-  raw`\symy = \frac{\symM\,(2\sympCurr - \sympPrev)}{\symdeltaT^2} + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget`,
-] as const;
+const globalFormulas = [...formulas.global_step, ...formulas.right_hand_side, ...formulas.inertial_right_hand_side];
 
 /** The global step's equation, its row for the selected vertex, and how well it is solved. */
 export function GlobalEquation({ frame }: { frame: Frame }) {

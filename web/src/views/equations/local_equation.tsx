@@ -1,15 +1,12 @@
 import { t } from '../../app/messages/index.ts';
 import { columnScale, formatInColumn, formatQuantity } from '../../lib/format.ts';
+import { formulas } from '../../notation/formulas.ts';
 import type { Frame } from '../../solver/frame.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { type Spring, type SpringNumbers, springNumbers } from './spring_numbers.ts';
 import { type VectorRow, VectorTable } from './vector_table.tsx';
 
 const { raw } = String;
-
-export const localFormulas = [
-  raw`\symd_{ij} = \symr_{ij}\,\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}`,
-] as const;
 
 interface Props {
   frame: Frame;
@@ -22,7 +19,7 @@ export function LocalEquation({ frame, spring }: Props) {
   return (
     <EquationPanel
       title={t('equations.local.title')}
-      formulas={localFormulas}
+      formulas={formulas.local_step}
       known={['p', 'r']}
       unknown="d"
       active={frame.phase === 'local'}

@@ -1,0 +1,88 @@
+import { useRef, useState } from 'preact/hooks';
+import { t } from '../../app/messages/index.ts';
+import { cardId } from '../../app/pointing.ts';
+import { moveInGrid } from '../../lib/move_in_grid.ts';
+import { linesOf, type SourceFile, symbolNamed } from './sources.ts';
+import { tokenize } from './tokenize.ts';
+import './code.css';
+
+/** A file of the solver's own source, its symbols linked. One tab stop: arrows go from line to line, and in a line from symbol to symbol. */
+export function CodeListing({ file }: { file: SourceFile }) {
+  const list = useRef<HTMLOListElement>(null);
+  const [current, setCurrent] = useState(0);
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const lines = Array.from((list.current as HTMLOListElement).children, (line) => [
+      ...line.querySelectorAll('button'),
+    ]);
+    const row = lines.findIndex((line) => line.includes(event.target as HTMLButtonElement));
+    const column = lines[row].indexOf(event.target as HTMLButtonElement);
+    const next = moveInGrid(
+      event.key,
+      { row, column },
+      lines.map((line) => line.length),
+    );
+    if (!next) return;
+    setCurrent(next.row);
+    lines[next.row][next.column].focus();
+    event.preventDefault();
+    event.stopPropagation(); // here arrows move the focus, not the cursor in time
+  };
+
+  return (
+    <figure class="code-listing">
+      <figcaption>wasm/core/{file}</figcaption>
+      <ol ref={list} aria-label={t('code.listing', { file })} onKeyDown={onKeyDown}>
+        {linesOf(file).map((line, row) => (
+          <Line key={`${row} ${line}`} file={file} number={row + 1} line={line} isTabStop={row === current} />
+        ))}
+      </ol>
+    </figure>
+  );
+}
+
+interface LineProps {
+  file: SourceFile;
+  number: number;
+  line: string;
+  isTabStop: boolean;
+}
+
+function Line({ file, number, line, isTabStop }: LineProps) {
+  const tokens = tokenize(line).map((token) => ({
+    ...token,
+    symbol: token.kind === 'name' ? symbolNamed(token.text, file) : undefined,
+  }));
+  const symbols = new Set(tokens.flatMap(({ symbol }) => symbol ?? []));
+  return (
+    <li data-about={[...symbols].join(' ')}>
+      <button
+        type="button"
+        class="code-line"
+        tabIndex={isTabStop ? 0 : -1}
+        aria-label={t('code.line', { number, line })}
+      >
+        {number}
+      </button>
+      {tokens.map(({ kind, text, symbol }, at) =>
+        symbol ? (
+          <button
+            key={at}
+            type="button"
+            class="code-symbol"
+            data-sym={symbol}
+            tabIndex={-1}
+            aria-haspopup="dialog"
+            aria-describedby={cardId}
+          >
+            {text}
+          </button>
+        ) : (
+          <span key={at} class={`code-${kind}`}>
+            {text}
+          </span>
+        ),
+      )}
+    </li>
+  );
+}
