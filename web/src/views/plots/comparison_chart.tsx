@@ -76,10 +76,11 @@ function Curves({ made, stale, actions }: { made: Comparison; stale: boolean; ac
         hidden={hidden}
         abscissa={abscissa}
         place={inspected}
+        stale={stale}
         onToggle={(method) =>
           setHidden(hidden.includes(method) ? hidden.filter((other) => other !== method) : [...hidden, method])
         }
-        onNewton={stale ? null : () => actions.compareNewton()}
+        onNewton={() => actions.compareNewton()}
       />
       <p class="objective-note">{minimumText(minimum)}</p>
       <ComparisonTable step={step} caption={minimumText(minimum)} curves={curves} runs={made.runs} />

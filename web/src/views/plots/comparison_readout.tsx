@@ -14,27 +14,29 @@ interface Props {
   hidden: readonly Method[];
   abscissa: Abscissa;
   place: number;
+  /** The time step has passed: nothing is added any more. */
+  stale: boolean;
   onToggle: (method: Method) => void;
-  /** Null where there is nothing to add it to. */
-  onNewton: (() => void) | null;
+  onNewton: () => void;
 }
 
 /** The plot's legend and its numbers at one place: a row for every method, whose name shows or hides its line. */
-export function ComparisonReadout({ caption, made, curves, hidden, abscissa, place, onToggle, onNewton }: Props) {
-  const row = (method: Method): ComponentChildren => {
-    const curve = curves.find((one) => one.method === method);
-    if (curve) return <Numbers point={pointAt(curve, abscissa, place)} />;
+export function ComparisonReadout(props: Props) {
+  const { caption, made, curves, hidden, abscissa, place, stale, onToggle, onNewton } = props;
+  const instead = (method: Method): ComponentChildren => {
     const refusal = made.refusals.find((one) => one.method === method);
-    if (refusal) return <td colSpan={4}>{t('plots.comparison.refused', { value: refusal.status.value })}</td>;
-    if (method !== 'newton' || missingMethod.value === 'newton')
-      return <td colSpan={4}>{t('plots.comparison.computing')}</td>;
+    if (refusal) return t('plots.comparison.refused', { value: refusal.status.value });
+    if (stale) return null;
+    if (method !== 'newton' || missingMethod.value === 'newton') return t('plots.comparison.computing');
     return (
-      <td colSpan={4}>
-        <button type="button" disabled={onNewton === null} onClick={() => onNewton?.()}>
-          {t('plots.comparison.addNewton')}
-        </button>
-      </td>
+      <button type="button" onClick={onNewton}>
+        {t('plots.comparison.addNewton')}
+      </button>
     );
+  };
+  const row = (method: Method) => {
+    const curve = curves.find((one) => one.method === method);
+    return curve ? <Numbers point={pointAt(curve, abscissa, place)} /> : <td colSpan={4}>{instead(method)}</td>;
   };
   return (
     <table class="comparison-readout">
