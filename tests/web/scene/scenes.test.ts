@@ -33,7 +33,9 @@ function reachable(scene: Scene): number {
 
 describe.each([
   { name: 'single-spring-horizontal', vertices: 2, springs: 1, pins: 1 },
+  { name: 'triangle', vertices: 3, springs: 3, pins: 1 },
   { name: 'horizontal-chain', vertices: 10, springs: 9, pins: 2 },
+  { name: 'patch', vertices: 9, springs: 12, pins: 2 },
   { name: 'net', vertices: 61, springs: 120, pins: 6 },
   { name: 'tower', vertices: 209, springs: 768, pins: 16 },
   { name: 'flag', vertices: 81 * 41, springs: 80 * 41 + 81 * 40 + 80 * 40, pins: 41 },

@@ -19,7 +19,9 @@ const urls = Object.fromEntries(
 /** In the order of the lesson: one idea more each time. */
 export const librarySceneNames = [
   'single-spring-horizontal',
+  'triangle',
   'horizontal-chain',
+  'patch',
   'net',
   'tower',
   'flag',

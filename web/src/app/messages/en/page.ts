@@ -1,8 +1,10 @@
 export const page = {
   title: 'Mass–Spring Lab',
   skip: 'Skip to the transport',
+  skipToText: 'Skip to the text',
   loading: 'Loading the solver…',
   header: {
+    pages: { label: 'Pages', springs: 'Springs', lesson: 'Lesson' },
     otherLanguage: '中文',
     otherLanguageLabel: '切换到简体中文',
     theme: { label: 'Theme', system: 'Theme: system', light: 'Theme: light', dark: 'Theme: dark' },
@@ -11,6 +13,7 @@ export const page = {
     link: 'Copy link',
     linkCopied: 'Link copied: it opens this scene with these parameters and pins.',
     linkWithoutFile: 'Link copied. It names your scene “{{name}}” but cannot carry its files: send them along.',
+    linkToLessonCopied: 'Link copied: it opens this section of the lesson.',
     linkFailed: 'The browser did not allow copying. The link is the address of this page.',
     help: 'Help and keys',
   },
@@ -142,7 +145,9 @@ export const page = {
   },
   scenes: {
     'single-spring-horizontal': 'Single spring',
+    triangle: 'Triangle',
     'horizontal-chain': 'Chain',
+    patch: 'Patch',
     net: 'Net',
     flag: 'Flag',
     skirt: 'Skirt',

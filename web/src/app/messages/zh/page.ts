@@ -1,8 +1,10 @@
 export const page = {
   title: '质点弹簧实验室',
   skip: '跳到播放控制',
+  skipToText: '跳到正文',
   loading: '正在载入求解器……',
   header: {
+    pages: { label: '页面', springs: '弹簧', lesson: '课程' },
     otherLanguage: 'English',
     otherLanguageLabel: 'Switch to English',
     theme: { label: '主题', system: '主题：跟随系统', light: '主题：浅色', dark: '主题：深色' },
@@ -11,6 +13,7 @@ export const page = {
     link: '复制链接',
     linkCopied: '链接已复制：打开即恢复当前场景、参数与固定点。',
     linkWithoutFile: '链接已复制。它只写了场景名“{{name}}”，不含文件：请把文件一并发送。',
+    linkToLessonCopied: '链接已复制：打开即到课程的这一节。',
     linkFailed: '浏览器不允许复制。地址栏里的网址就是该链接。',
     help: '帮助与按键',
   },
@@ -136,7 +139,9 @@ export const page = {
   },
   scenes: {
     'single-spring-horizontal': '单根弹簧',
+    triangle: '三角形',
     'horizontal-chain': '链',
+    patch: '小网片',
     net: '网',
     flag: '旗',
     skirt: '裙',
