@@ -1,19 +1,20 @@
 import { effect, signal } from '@preact/signals';
-import { render } from 'preact';
+import { type ComponentType, render } from 'preact';
 import { Actions } from './app/actions.ts';
 import { followAddress, readAddress } from './app/address.ts';
-import { language, t } from './app/messages/index.ts';
-import { Obstacle } from './app/obstacle.ts';
+import { preferredLanguage, t } from './app/messages/index.ts';
 import { followPointing } from './app/pointing.ts';
-import { appliedTheme, reducedMotion } from './app/preferences.ts';
+import { appliedTheme } from './app/preferences.ts';
+import { type Route, route } from './app/route.ts';
 import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
-import { startSolver } from './app/start_solver.ts';
-import { defaultState, state } from './app/state.ts';
+import { startLab } from './app/start_lab.ts';
+import { newSolver } from './app/start_solver.ts';
+import { state } from './app/state.ts';
 import { keepOffline } from './app/updates.ts';
 import { cameraKey } from './labs/springs/camera_keys.ts';
-import { SpringsLab } from './labs/springs/springs_lab.tsx';
 import { symbolStyle } from './notation/symbol_style.ts';
+import { Deferred } from './views/deferred/deferred.tsx';
 import { SymbolCard } from './views/equations/symbol_card.tsx';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
@@ -22,21 +23,37 @@ import { UpdateOffer } from './views/update_offer/update_offer.tsx';
 import './style.css';
 
 const helpOpen = signal(false);
-const root = document.getElementById('app') as HTMLElement;
 
 effect(() => {
   document.documentElement.dataset.theme = appliedTheme.value;
   document.documentElement.toggleAttribute('data-projector', state.value.view.projector);
 });
 effect(() => {
-  document.title = t('page.title');
+  if (route.value.page === 'springs') document.title = t('page.title'); // a lesson's page is named after its section
 });
 
 const symbolSheet = new CSSStyleSheet();
 symbolSheet.replaceSync(symbolStyle());
 document.adoptedStyleSheets.push(symbolSheet);
 
-function Page({ actions }: { actions: Actions }) {
+const client = newSolver();
+const session = new Session(client);
+const actions = new Actions(session);
+
+/** Each page with all it needs, once it is asked for. */
+const pages: Record<Route['page'], () => Promise<ComponentType>> = {
+  springs: async () => {
+    const [{ SpringsLab }] = await Promise.all([import('./labs/springs/springs_lab.tsx'), startLab(client, actions)]);
+    return () => <SpringsLab actions={actions} />;
+  },
+  lesson: async () => {
+    const { Lesson } = await import('./labs/lesson/lesson.tsx');
+    return () => <Lesson actions={actions} />;
+  },
+};
+
+function Page() {
+  const { page } = route.value;
   return (
     <>
       <Header
@@ -45,7 +62,7 @@ function Page({ actions }: { actions: Actions }) {
           helpOpen.value = !helpOpen.value;
         }}
       />
-      <SpringsLab actions={actions} />
+      <Deferred key={page} load={pages[page]} />
       {helpOpen.value && (
         <Help
           onClose={() => {
@@ -61,27 +78,18 @@ function Page({ actions }: { actions: Actions }) {
 }
 
 async function begin(): Promise<void> {
-  const asked = readAddress();
-  language.value = asked.language;
-  state.value = asked;
-  render(<p class="obstacle">{t('page.loading')}</p>, root);
-
-  const session = new Session(await startSolver());
-  const actions = new Actions(session);
-  const plain = { ...defaultState, language: asked.language, theme: asked.theme };
-  const opened = (await actions.restore(asked)) || (await actions.restore(plain));
-  if (!opened) throw new Obstacle('page.errors.noScene');
+  actions.setLanguage(preferredLanguage(navigator.languages));
+  await actions.follow(readAddress(location));
   session.start();
-  render(<Page actions={actions} />, root);
-  followAddress(() => actions.restore(readAddress()));
-  listen(actions);
+  followAddress((link) => actions.follow(link));
+  listen();
   followPointing(document.documentElement);
+  render(<Page />, document.getElementById('app') as HTMLElement);
   keepOffline();
-  if (!reducedMotion.value) actions.play();
 }
 
 /** What the whole page hears: keys that no control has taken, and files dropped on it. */
-function listen(actions: Actions): void {
+function listen(): void {
   addEventListener('keydown', (event) => {
     const { target } = event;
     const typing = target instanceof Element && target.closest('input, select, textarea, summary');
@@ -98,6 +106,7 @@ function listen(actions: Actions): void {
       return;
     if (event.key === '?') helpOpen.value = !helpOpen.value;
     else if (event.key === 'Escape') helpOpen.value = false;
+    else if (route.value.page !== 'springs') return;
     else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
     event.preventDefault();
   });
@@ -113,19 +122,9 @@ function listen(actions: Actions): void {
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (event.dataTransfer?.files.length) void actions.openFiles([...event.dataTransfer.files]);
+    if (route.value.page === 'springs' && event.dataTransfer?.files.length)
+      void actions.openFiles([...event.dataTransfer.files]);
   });
 }
 
-begin().catch((reason: unknown) => {
-  const { key, params } =
-    reason instanceof Obstacle ? reason : new Obstacle('page.errors.unexpected', { reason: String(reason) });
-  effect(() =>
-    render(
-      <p class="obstacle" role="alert">
-        {t(key, params)}
-      </p>,
-      root,
-    ),
-  );
-});
+void begin();

@@ -5,6 +5,8 @@ import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.t
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
 import { methods } from '../../../web/src/solver/module.ts';
 
+const lab = { page: 'springs' } as const;
+
 const inside = ({ min, max }: { min: number; max: number }) => fc.double({ min, max, noNaN: true });
 const point = fc.tuple(coordinate(), coordinate(), coordinate());
 
@@ -59,7 +61,7 @@ describe('the link', () => {
   it('carries every state there and back', () => {
     fc.assert(
       fc.property(states, (state) => {
-        const { state: back, problems } = decodeLink(encodeLink(state), defaultState);
+        const { state: back, problems } = decodeLink(encodeLink(lab, state), defaultState);
         expect(problems).toEqual([]);
         expect(back).toEqual(state);
       }),
@@ -69,13 +71,13 @@ describe('the link', () => {
   it('survives being percent-encoded by what carries it', () => {
     fc.assert(
       fc.property(states, (state) => {
-        expect(decodeLink(encodeURI(decodeURI(encodeLink(state))), defaultState).state).toEqual(state);
+        expect(decodeLink(encodeURI(decodeURI(encodeLink(lab, state))), defaultState).state).toEqual(state);
       }),
     );
   });
 
   it('names scene and language even where they are the default: the next reader’s default may differ', () => {
-    expect(encodeLink(defaultState)).toBe('#/springs?version=1&scene=%22net%22&language=%22en%22');
+    expect(encodeLink(lab, defaultState)).toBe('#/springs?version=1&scene=%22net%22&language=%22en%22');
   });
 
   it('keeps the good parts of a link with a bad one, and names the bad one', () => {
@@ -116,6 +118,29 @@ describe('the link', () => {
   });
 
   it.each(['', '#', '#/springs', '#/springs?'])('takes “%s” for the default', (fragment) => {
-    expect(decodeLink(fragment, defaultState)).toEqual({ state: defaultState, problems: [] });
+    expect(decodeLink(fragment, defaultState)).toEqual({ route: lab, state: defaultState, problems: [] });
+  });
+
+  it('leads to a section of the lesson, with the language and theme to read it in and nothing of the lab', () => {
+    const state = { ...defaultState, scene: 'flag', parameters: { k: 5 }, language: 'zh', theme: 'dark' } as const;
+    const link = encodeLink({ page: 'lesson', section: 'trick' }, state);
+    expect(link).toBe('#/lesson/trick?language=%22zh%22&theme=%22dark%22');
+    expect(decodeLink(link, defaultState)).toEqual({
+      route: { page: 'lesson', section: 'trick' },
+      state: { ...defaultState, language: 'zh', theme: 'dark' },
+      problems: [],
+    });
+  });
+
+  it.each(['#/lesson', '#/lesson/', '#/lesson?language="zh"'])('takes “%s” for the whole lesson', (fragment) => {
+    expect(decodeLink(fragment, defaultState)).toMatchObject({
+      route: { page: 'lesson', section: null },
+      problems: [],
+    });
+  });
+
+  it('refuses a part of the lab’s state in a link to the lesson', () => {
+    const { problems } = decodeLink('#/lesson/trick?scene="flag"', defaultState);
+    expect(problems).toEqual([{ part: 'scene', value: '"flag"' }]);
   });
 });

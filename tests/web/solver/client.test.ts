@@ -70,7 +70,7 @@ const newClient = () =>
       workers.push(worker);
       return worker as unknown as Worker;
     },
-    wasmBinary: new ArrayBuffer(0),
+    wasmBinary: async () => new ArrayBuffer(0),
   });
 
 afterEach(() => {

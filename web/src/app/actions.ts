@@ -1,10 +1,12 @@
 import type { Scene } from '../scene/scene.ts';
+import type { Checkpoint } from '../solver/protocol.ts';
 import { compareNewton } from './comparison.ts';
 import { limits } from './limits.ts';
-import { encodeLink } from './link.ts';
+import { encodeLink, type Link } from './link.ts';
 import type { Language } from './messages/index.ts';
 import { language } from './messages/index.ts';
 import { dismissErrors, notify } from './notices.ts';
+import { route } from './route.ts';
 import { findScene, openedScenes, openFiles, SceneProblem } from './scene_library.ts';
 import type { Session } from './session.ts';
 import {
@@ -12,6 +14,7 @@ import {
   type AppState,
   defaultState,
   dragging,
+  frame,
   type Pin,
   pins,
   playing,
@@ -154,9 +157,10 @@ export class Actions {
 
   async copyLink(): Promise<void> {
     try {
-      await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(state.value));
+      await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(route.value, state.value));
       const own = openedScenes.value.some(({ name }) => name === state.value.scene);
-      notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name: state.value.scene });
+      if (route.value.page === 'lesson') notify('info', 'page.header.linkToLessonCopied');
+      else notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name: state.value.scene });
     } catch {
       notify('info', 'page.header.linkFailed'); // clipboards need a secure page and permission
     }
@@ -182,6 +186,19 @@ export class Actions {
     }));
   }
 
+  /** Goes where a link leads. What the lab already shows goes on as it stood. */
+  async follow({ route: to, state: wanted }: Link): Promise<void> {
+    if (to.page === 'lesson') {
+      this.pause();
+      this.setLanguage(wanted.language);
+      this.setTheme(wanted.theme);
+    } else if (!frame.value) {
+      language.value = wanted.language;
+      state.value = wanted; // start_lab.ts opens it
+    } else if (encodeLink(to, wanted) !== encodeLink(to, state.value)) await this.restore(wanted);
+    route.value = to;
+  }
+
   /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
   async restore(wanted: AppState): Promise<boolean> {
     return this.open(wanted.scene, () => {
@@ -190,10 +207,22 @@ export class Actions {
     });
   }
 
+  /** Shows in the lab what stands somewhere else on the page, at the same moment. */
+  async openMoment(
+    { scene: name, ...settings }: Pick<AppState, 'scene' | 'parameters' | 'pins' | 'selection'>,
+    from: Checkpoint,
+  ): Promise<void> {
+    dismissErrors();
+    this.pause();
+    const change = () => ({ scene: name, ...settings, view: { ...state.value.view, camera: null } });
+    if (await this.open(name, change, from)) route.value = { page: 'springs' };
+  }
+
   /** Opens the scene of that name, unless another was asked for while its files were on their way. */
   private async open(
     name: string,
     change: () => Pick<AppState, 'parameters' | 'pins' | 'selection'> & Partial<AppState>,
+    from: Checkpoint | null = null,
   ): Promise<boolean> {
     this.openings += 1;
     const mine = this.openings;
@@ -202,11 +231,12 @@ export class Actions {
       const found = await findScene(name);
       if (mine !== this.openings) return;
       const wanted = change();
-      opened = await this.session.open(found, {
+      const sensible = {
         ...wanted,
         pins: sensiblePins(found, wanted.pins),
         selection: selectionOn(found, wanted.selection),
-      });
+      };
+      opened = await this.session.open(found, sensible, from);
     });
     return opened;
   }

@@ -1,34 +1,34 @@
 import { effect } from '@preact/signals';
-import { decodeLink, encodeLink, longestLink } from './link.ts';
-import { preferredLanguage } from './messages/index.ts';
+import { decodeLink, encodeLink, type Link, longestLink } from './link.ts';
 import { notify } from './notices.ts';
-import { type AppState, defaultState, state } from './state.ts';
+import { route } from './route.ts';
+import { defaultState, state } from './state.ts';
 
 /** Browsers throttle writes to the address; a drag would make hundreds. */
 const quiet_ms = 300;
 
-/** The state that the page's address asks for; what it asks wrongly is said in a notice. */
-export function readAddress(): AppState {
-  const fallback = { ...defaultState, language: preferredLanguage(navigator.languages) };
-  const { state: asked, problems } = decodeLink(location.hash, fallback);
-  for (const problem of problems) {
+/** The page and state that an address asks for, in the reader's language and theme where it names none; what it asks wrongly is said in a notice. */
+export function readAddress({ hash }: URL | Location): Link {
+  const { language, theme } = state.value;
+  const link = decodeLink(hash, { ...defaultState, language, theme });
+  for (const problem of link.problems) {
     if ('tooLong' in problem)
       notify('error', 'page.errors.linkTooLong', { length: problem.tooLong, most: longestLink });
     else notify('error', 'page.errors.linkPart', problem);
   }
-  return asked;
+  return link;
 }
 
-/** Keeps the address equal to the state, so that copying it is sharing it. `onEdited` hears of links typed or clicked later. */
-export function followAddress(onEdited: () => Promise<unknown>): void {
+/** Keeps the address equal to page and state, so that copying it is sharing it. `follow` hears of links typed or clicked later. */
+export function followAddress(follow: (link: Link) => Promise<unknown>): void {
   let timer = 0;
   effect(() => {
-    const link = encodeLink(state.value);
+    const link = encodeLink(route.value, state.value);
     clearTimeout(timer);
     timer = window.setTimeout(() => history.replaceState(null, '', link), quiet_ms);
   });
-  addEventListener('hashchange', async () => {
-    await onEdited();
-    history.replaceState(null, '', encodeLink(state.value)); // what could not be opened does not stay in the address
+  addEventListener('hashchange', async ({ newURL }) => {
+    await follow(readAddress(new URL(newURL))); // the address itself may have been rewritten by now
+    history.replaceState(null, '', encodeLink(route.value, state.value)); // what could not be opened does not stay in it
   });
 }

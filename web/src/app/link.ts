@@ -1,3 +1,4 @@
+import { pathOf, type Route, readPath } from './route.ts';
 import { stateSchema } from './schema.ts';
 import { type AppState, defaultState } from './state.ts';
 
@@ -7,46 +8,57 @@ export const longestLink = 64 * 1024;
 /** Why a part of a link was not used. */
 export type LinkProblem = { part: string; value: string } | { tooLong: number };
 
-const route = '#/springs';
-const parts = Object.keys(stateSchema) as (keyof AppState)[];
+/** The parts of the state that a link to a page carries: the lesson's figures are not among them. */
+const partsOf: Record<Route['page'], readonly (keyof AppState)[]> = {
+  springs: Object.keys(stateSchema) as (keyof AppState)[],
+  lesson: ['language', 'theme'],
+};
 
 /** Named in every link: what a reader's own preferences would otherwise replace. */
 const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'language'];
 
-/** The address's fragment for a state: every part that is not the default, as JSON. */
-export function encodeLink(state: AppState): string {
-  const query = parts
+/** The address's fragment for a page and a state: every part that is not the default, as JSON. */
+export function encodeLink(route: Route, state: AppState): string {
+  const query = partsOf[route.page]
     .filter((part) => alwaysNamed.includes(part) || !same(state[part], defaultState[part]))
     .map((part) => `${part}=${escapePart(JSON.stringify(state[part]))}`);
-  return `${route}?${query.join('&')}`;
+  return `${pathOf(route)}?${query.join('&')}`;
 }
 
-/** The state a fragment asks for: parts it does not name, or that do not pass the schema, keep their value in `fallback`. */
-export function decodeLink(fragment: string, fallback: AppState): { state: AppState; problems: LinkProblem[] } {
-  if (fragment.length > longestLink) return { state: fallback, problems: [{ tooLong: fragment.length }] };
+export interface Link {
+  route: Route;
+  state: AppState;
+  problems: LinkProblem[];
+}
+
+/** What a fragment asks for: parts that it does not name, or that do not pass the schema, keep their value in `fallback`. */
+export function decodeLink(fragment: string, fallback: AppState): Link {
+  if (fragment.length > longestLink)
+    return { route: { page: 'springs' }, state: fallback, problems: [{ tooLong: fragment.length }] };
   const problems: LinkProblem[] = [];
-  const asked = fragment.split('?')[0];
-  if (!['', '#', '#/', route].includes(asked)) problems.push({ part: '#', value: readable(asked).slice(0, 60) });
+  const path = fragment.split('?')[0];
+  const named = readPath(path);
+  const route = named ?? { page: 'springs' };
+  if (!named) problems.push({ part: '#', value: readable(path).slice(0, 60) });
   const state: Record<string, unknown> = { ...fallback };
   const query = fragment.includes('?') ? fragment.slice(fragment.indexOf('?') + 1) : '';
   for (const item of query.split('&').filter(Boolean)) {
     const [part = '', ...rest] = item.split('=');
     const value = rest.join('=');
-    const read = readPart(part, value);
-    if (read.ok) state[part] = read.value;
+    const known = partsOf[route.page].find((name) => name === part);
+    const read = known && readPart(known, value);
+    if (read) state[part] = read.value;
     else problems.push({ part, value: readable(value).slice(0, 60) });
   }
-  return { state: state as unknown as AppState, problems };
+  return { route, state: state as unknown as AppState, problems };
 }
 
-function readPart(part: string, text: string): { ok: true; value: unknown } | { ok: false } {
-  const schema = parts.find((known) => known === part);
-  if (!schema) return { ok: false };
+function readPart(part: keyof AppState, text: string): { value: unknown } | null {
   try {
-    const result = stateSchema[schema].safeParse(JSON.parse(decodeURIComponent(text)));
-    return result.success ? { ok: true, value: result.data } : { ok: false };
+    const result = stateSchema[part].safeParse(JSON.parse(decodeURIComponent(text)));
+    return result.success ? { value: result.data } : null;
   } catch {
-    return { ok: false }; // broken percent escapes or JSON
+    return null; // broken percent escapes or JSON
   }
 }
 

@@ -3,7 +3,7 @@ import type { Scene } from '../scene/scene.ts';
 import { type SolverClient, SolverCrash } from '../solver/client.ts';
 import type { Frame } from '../solver/frame.ts';
 import type { Method, Status } from '../solver/module.ts';
-import type { Command, Request } from '../solver/protocol.ts';
+import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
 import { iterationTime, playedStep } from './measurements.ts';
@@ -76,14 +76,15 @@ export class Session {
     requestAnimationFrame(tick);
   }
 
-  /** Opens a scene and makes `change` part of the state. False, and everything as it was, when the solver refuses it. */
+  /** Opens a scene, at rest or where `from` says, and makes `change` part of the state. False, and everything as it was, when the solver refuses it. */
   async open(
     next: Scene,
     change: Pick<AppState, 'parameters' | 'pins' | 'selection'> & Partial<AppState>,
+    from: Checkpoint | null = null,
   ): Promise<boolean> {
     while (this.current) await this.current;
     let opened = false;
-    this.current = this.openNow(next, change).then((result) => {
+    this.current = this.openNow(next, change, from).then((result) => {
       opened = result;
     });
     try {
@@ -95,16 +96,21 @@ export class Session {
     return opened;
   }
 
-  private async openNow(next: Scene, change: Parameters<Session['open']>[1]): Promise<boolean> {
+  private async openNow(
+    next: Scene,
+    change: Parameters<Session['open']>[1],
+    from: Checkpoint | null,
+  ): Promise<boolean> {
+    const request: Request = {
+      parameters: parametersOn(next, change.parameters),
+      pins: pinsOn(next, change.pins),
+      command: { kind: 'stay' },
+      selectedVertex: change.selection.vertex,
+      wholeTrace: false,
+      profile: false,
+    };
     try {
-      const outcome = await this.client.open(next, {
-        parameters: parametersOn(next, change.parameters),
-        pins: pinsOn(next, change.pins),
-        command: { kind: 'stay' },
-        selectedVertex: change.selection.vertex,
-        wholeTrace: false,
-        profile: false,
-      });
+      const outcome = await this.client.open(next, request, from);
       if (outcome.ok) {
         this.accepted = { parameters: change.parameters, pins: change.pins };
         this.queue.length = 0;
@@ -120,7 +126,7 @@ export class Session {
       }
       this.explain(outcome.status);
     } catch (reason) {
-      if (!(reason instanceof SolverCrash) || !frame.value) throw reason;
+      if (!(reason instanceof SolverCrash)) throw reason;
       notify('error', 'page.errors.crash', { reason: reason.message });
     }
     return false;

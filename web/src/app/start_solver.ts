@@ -2,28 +2,38 @@ import wasmUrl from '#wasm/solver.wasm?url';
 import { SolverClient } from '../solver/client.ts';
 import { Obstacle } from './obstacle.ts';
 
-/** Fetches the solver and makes ready the worker that will run it. Throws Obstacle when this browser or this network cannot. */
-export async function startSolver(): Promise<SolverClient> {
-  if (typeof WebAssembly !== 'object') throw new Obstacle('page.errors.noWebAssembly');
-  if (!document.createElement('canvas').getContext('webgl2')) throw new Obstacle('page.errors.noWebGL');
-  const client = new SolverClient({
+/** A solver of its own for each page; nothing is fetched before it is started or asked. */
+export function newSolver(): SolverClient {
+  return new SolverClient({
     createWorker: () => new Worker(new URL('../solver/worker.ts', import.meta.url), { type: 'module' }),
-    wasmBinary: await fetchSolver(),
+    wasmBinary: fetchSolver,
   });
+}
+
+/** Fetches the solver and makes ready the worker that will run it. Throws Obstacle when this browser or this network cannot. */
+export async function startSolver(client: SolverClient): Promise<void> {
+  if (typeof WebAssembly !== 'object') throw new Obstacle('page.errors.noWebAssembly');
   try {
     await client.start();
   } catch (reason) {
+    if (reason instanceof Obstacle) throw reason;
     throw new Obstacle('page.errors.solverStart', { reason: (reason as Error).message });
   }
-  return client;
 }
 
-async function fetchSolver(): Promise<ArrayBuffer> {
-  try {
-    const response = await fetch(wasmUrl);
-    if (!response.ok) throw new Error(`HTTP ${response.status}`);
-    return await response.arrayBuffer();
-  } catch (reason) {
-    throw new Obstacle('page.errors.wasmMissing', { url: wasmUrl, reason: (reason as Error).message });
-  }
+let fetched: Promise<ArrayBuffer> | null = null;
+
+/** Once for all solvers, and again after a failure. */
+function fetchSolver(): Promise<ArrayBuffer> {
+  fetched ??= fetchBytes(wasmUrl).catch((reason: Error) => {
+    fetched = null;
+    throw new Obstacle('page.errors.wasmMissing', { url: wasmUrl, reason: reason.message });
+  });
+  return fetched;
+}
+
+async function fetchBytes(url: string): Promise<ArrayBuffer> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`HTTP ${response.status}`);
+  return response.arrayBuffer();
 }

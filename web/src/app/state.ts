@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Scene } from '../scene/scene.ts';
+import { noScene, type Scene } from '../scene/scene.ts';
 import type { Frame } from '../solver/frame.ts';
 import type { Parameters } from '../solver/module.ts';
 import type { Pins } from '../solver/protocol.ts';
@@ -75,19 +75,7 @@ export const defaultState: AppState = {
 export const state = signal<AppState>(defaultState);
 
 // What passes: not part of the saved state, and rebuilt from it.
-export const scene = signal<Scene>({
-  name: '',
-  V: new Float64Array(0),
-  E: new Int32Array(0),
-  F: new Uint32Array(0),
-  texture: null,
-  m: new Float64Array(0),
-  pinned: new Int32Array(0),
-  k: 1,
-  delta_t: 1 / 30,
-  iterations: 50,
-  w: 1e10,
-});
+export const scene = signal<Scene>(noScene);
 /** #E, m: rest lengths, from the solver. */
 export const r = signal<Float64Array>(new Float64Array(0));
 export const frame = signal<Frame | null>(null);

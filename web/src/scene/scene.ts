@@ -21,3 +21,18 @@ export interface Scene {
   iterations: number; // 50 unless given
   w: number; // N/m, 1e10 unless given
 }
+
+/** What stands in for a scene before there is one. */
+export const noScene: Scene = {
+  name: '',
+  V: new Float64Array(0),
+  E: new Int32Array(0),
+  F: new Uint32Array(0),
+  texture: null,
+  m: new Float64Array(0),
+  pinned: new Int32Array(0),
+  k: 1,
+  delta_t: 1 / 30,
+  iterations: 50,
+  w: 1e10,
+};

@@ -1,6 +1,7 @@
 import { wrap } from 'comlink';
 import type {
   Checkpoint,
+  Inspection,
   MethodRequest,
   MethodRun,
   Opened,
@@ -21,7 +22,8 @@ const patience_ms = 60_000;
 
 export interface SolverClientOptions {
   createWorker: () => Worker;
-  wasmBinary: ArrayBuffer;
+  /** Asked for once a worker is needed. */
+  wasmBinary: () => Promise<ArrayBuffer>;
 }
 
 /**
@@ -44,9 +46,9 @@ export class SolverClient {
     await this.ready();
   }
 
-  /** Opens a problem from rest. On failure the one open before stays. Throws SolverCrash. */
-  async open(problem: Problem, request: Request): Promise<Outcome<Opened>> {
-    const outcome = await this.guarded((service) => service.open(problem, request, null));
+  /** Opens a problem, at rest or where `from` says, and runs the request there. On failure the one open before stays. Throws SolverCrash. */
+  async open(problem: Problem, request: Request, from: Checkpoint | null = null): Promise<Outcome<Opened>> {
+    const outcome = await this.guarded((service) => service.open(problem, request, from));
     if (outcome.ok) this.lastGood = { problem, request, checkpoint: outcome.value.checkpoint };
     return outcome;
   }
@@ -62,6 +64,11 @@ export class SolverClient {
   /** The present time step by another method. Throws SolverCrash after restoring the last good state in a new worker. */
   async compare(request: MethodRequest): Promise<Outcome<MethodRun>> {
     return this.guarded((service) => service.compare(request));
+  }
+
+  /** Looks at the open problem. Throws SolverCrash. */
+  inspect(points: readonly Float64Array[]): Promise<Inspection> {
+    return this.guarded((service) => service.inspect(points));
   }
 
   private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
@@ -98,7 +105,7 @@ export class SolverClient {
     this.worker = this.options.createWorker();
     // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
     const service = wrap(this.worker) as unknown as SolverService;
-    await this.untilFailure(service.start(this.options.wasmBinary));
+    await this.untilFailure(service.start(await this.options.wasmBinary()));
     if (this.lastGood) {
       const { problem, request, checkpoint } = this.lastGood;
       const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false, profile: false };

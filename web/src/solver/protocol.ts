@@ -1,5 +1,5 @@
-import type { Frame } from './frame.ts';
-import type { Method, Parameters, Status } from './module.ts';
+import type { Frame, VertexEquation } from './frame.ts';
+import type { Method, Parameters, Status, Triplets } from './module.ts';
 
 /** What the solver needs of a scene. */
 export interface Problem {
@@ -82,13 +82,39 @@ export interface Opened extends Reply {
   r: Float64Array;
 }
 
+/** E(p) of a time step and its terms, J, at a p of the page's choice, and ∂E/∂p there, #V×3, N. */
+export interface Evaluation {
+  objective: number;
+  potential: number;
+  inertia: number;
+  external: number;
+  pin: number;
+  gradient: Float64Array;
+}
+
+/** What of the open problem only a small scene can show whole. */
+export interface Inspection {
+  A: Triplets;
+  M: Triplets;
+  C: Triplets;
+  Q: Triplets;
+  /** #V: every row of Q p = b, at the cursor. */
+  equations: VertexEquation[];
+  /** #V×3, m: where the forces at p^t would carry each vertex. */
+  explicitStep: Float64Array;
+  /** One for each point asked about. */
+  evaluations: Evaluation[];
+}
+
 /** The worker's side, as comlink exposes it. */
 export interface SolverService {
   /** Compiles the module. Call once, before anything else. */
   start(wasmBinary: ArrayBuffer): Promise<void>;
-  /** Opens a problem, at rest or where `from` says. On failure the problem open before stays. */
+  /** Opens a problem, at rest or where `from` says, and runs the request there. On failure the problem open before stays. */
   open(problem: Problem, request: Request, from: Checkpoint | null): Promise<Outcome<Opened>>;
   run(request: Request): Promise<Outcome<Reply>>;
   /** Leaves the solver where it stands. */
   compare(request: MethodRequest): Promise<Outcome<MethodRun>>;
+  /** Changes nothing. Each point is #V×3, m. */
+  inspect(points: readonly Float64Array[]): Promise<Inspection>;
 }

@@ -4,6 +4,7 @@ import type { Simulation, SolverModule, Status } from './module.ts';
 import type {
   Checkpoint,
   Command,
+  Inspection,
   MethodRequest,
   MethodRun,
   Opened,
@@ -31,6 +32,7 @@ export class SolverSession {
     if (status.code === 'ok') status = this.simulation.set_pins(pins.pinned, pins.targets);
     if (status.code === 'ok' && from)
       status = this.simulation.set_state(from.step, from.p_curr, from.p_prev, from.half_step);
+    if (status.code === 'ok') status = this.move(request.command);
     const outcome = this.reply(status, request, started);
     return outcome.ok ? { ok: true, value: { ...outcome.value, r: this.simulation.r().slice() } } : outcome;
   }
@@ -45,6 +47,19 @@ export class SolverSession {
 
   compare(request: MethodRequest): Outcome<MethodRun> {
     return compareMethod(this.simulation, request);
+  }
+
+  inspect(points: readonly Float64Array[]): Inspection {
+    const s = this.simulation;
+    return {
+      A: s.A(),
+      M: s.M(),
+      C: s.C(),
+      Q: s.Q(),
+      equations: Array.from({ length: s.vertex_count() }, (_, vertex) => ({ vertex, ...s.probe_vertex(vertex) })),
+      explicitStep: s.explicit_step().slice(),
+      evaluations: points.map((p) => ({ ...s.objective_at(p), gradient: s.gradient_at(p).slice() })),
+    };
   }
 
   private move(command: Command): Status {

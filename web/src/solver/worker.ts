@@ -35,6 +35,9 @@ const service: SolverService = {
   async compare(request: MethodRequest) {
     return theSession().compare(request);
   },
+  async inspect(points: readonly Float64Array[]) {
+    return theSession().inspect(points);
+  },
 };
 
 expose(service);

@@ -1,6 +1,8 @@
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
+import { route } from '../../app/route.ts';
 import { state } from '../../app/state.ts';
+import { PageLinks } from './page_links.tsx';
 import { SceneMenu } from './scene_menu.tsx';
 import './header.css';
 
@@ -10,10 +12,15 @@ const themes = ['system', 'light', 'dark'] as const;
 export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => void }) {
   const { language, theme, view } = state.value;
   const other = language === 'en' ? 'zh' : 'en';
+  const inLab = route.value.page === 'springs';
   return (
     <header class="header">
-      <button type="button" class="skip" onClick={() => document.getElementById('transport')?.focus()}>
-        {t('page.skip')}
+      <button
+        type="button"
+        class="skip"
+        onClick={() => document.getElementById(inLab ? 'transport' : 'lesson-text')?.focus()}
+      >
+        {t(inLab ? 'page.skip' : 'page.skipToText')}
       </button>
       <h1>
         <svg viewBox="0 0 32 20" width="32" height="20" aria-hidden="true">
@@ -29,7 +36,8 @@ export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => vo
         </svg>
         {t('page.title')}
       </h1>
-      <SceneMenu actions={actions} />
+      <PageLinks />
+      {inLab && <SceneMenu actions={actions} />}
       <div class="tools">
         <label class="theme">
           <span class="visually-hidden">{t('page.header.theme.label')}</span>

@@ -1,0 +1,87 @@
+import type { ComponentChildren } from 'preact';
+import { useContext, useEffect, useRef } from 'preact/hooks';
+import { t } from '../../../app/messages/index.ts';
+import { holds } from '../../../app/pointing.ts';
+import type { Frame } from '../../../solver/frame.ts';
+import { LessonActions } from '../lesson_actions.ts';
+import { lessonWords } from '../lesson_words.ts';
+import { Phrase } from '../prose.tsx';
+import type { Arrows } from './arrows.ts';
+import type { FigureSession } from './figure_session.ts';
+import { FigureSlider, type SliderName } from './figure_slider.tsx';
+import { FigureTransport } from './figure_transport.tsx';
+import { type PictureMode, SpringPicture } from './spring_picture.tsx';
+import './figure.css';
+
+interface Props {
+  figure: FigureSession;
+  /** From left to right. */
+  pictures: readonly PictureMode[];
+  /** Drawn over the net. */
+  arrows?: (frame: Frame) => Arrows;
+  sliders?: readonly SliderName[];
+  caption: string;
+  /** Numbers, matrices, plots: what else shows this figure's moment. */
+  children?: ComponentChildren;
+}
+
+/** A small simulation in the text: pictures, clock, sliders, caption, and the way to the lab. It sleeps when it is off the screen. */
+export function Figure({ figure, pictures, arrows, sliders = [], caption, children }: Props) {
+  const host = useRef<HTMLElement>(null);
+  const actions = useContext(LessonActions);
+  const words = lessonWords().figure;
+  const refusal = figure.refusal.value;
+
+  useEffect(() => {
+    const observer = new IntersectionObserver(([{ isIntersecting }]) => {
+      figure.awake.value = isIntersecting;
+    });
+    const element = host.current as HTMLElement;
+    holds(figure)(element);
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [figure]);
+
+  const openInLab = () => {
+    const moment = figure.forLab();
+    if (moment) void actions?.openMoment(moment.state, moment.from);
+  };
+
+  return (
+    <figure ref={host} class="figure" data-awake={figure.awake.value} data-ready={figure.frame.value !== null}>
+      <div class="figure-pictures">
+        {pictures.map((mode) => (
+          <div key={mode} class="figure-picture">
+            <p class="figure-picture-name">{words.pictures[mode].name}</p>
+            <SpringPicture
+              figure={figure}
+              mode={mode}
+              name={words.pictures[mode].name}
+              arrows={mode === 'net' ? arrows : undefined}
+            />
+          </div>
+        ))}
+      </div>
+      <FigureTransport figure={figure} />
+      {sliders.length > 0 && (
+        <div class="figure-sliders">
+          {sliders.map((name) => (
+            <FigureSlider key={name} figure={figure} name={name} />
+          ))}
+        </div>
+      )}
+      {refusal && (
+        <p class="figure-refusal" role="alert">
+          {t(refusal.key, refusal.params)}
+        </p>
+      )}
+      {children}
+      <figcaption>
+        <Phrase text={caption} />{' '}
+        <button type="button" class="figure-to-lab" onClick={openInLab}>
+          {words.openInLab}
+        </button>
+      </figcaption>
+    </figure>
+  );
+}

@@ -1,0 +1,259 @@
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
+import { Clock } from '../../../app/clock.ts';
+import type { Figure } from '../../../app/figure.ts';
+import type { MessageKey } from '../../../app/messages/index.ts';
+import { findScene, SceneProblem } from '../../../app/scene_library.ts';
+import { type Adjustable, type AppState, type Pin, parametersOn, pinsOn, type Selection } from '../../../app/state.ts';
+import { noScene, type Scene } from '../../../scene/scene.ts';
+import { SolverCrash } from '../../../solver/client.ts';
+import type { Frame } from '../../../solver/frame.ts';
+import type { Checkpoint, Command, Inspection, Opened, Outcome, Request } from '../../../solver/protocol.ts';
+import type { LessonSolver, Moment } from './lesson_solver.ts';
+import type { PlanarScene } from './planar_scenes.ts';
+
+export interface FigureSettings {
+  scene: PlanarScene;
+  /** What differs from the scene's own. */
+  parameters?: Partial<Adjustable>;
+  pins?: readonly Pin[];
+  selection?: Selection;
+  /** What has happened when the reader comes; to this the figure resets. */
+  opening?: readonly Command[];
+}
+
+/** Where the cursor goes: by a command, or to a moment known already. */
+type Move = Command | { kind: 'jump'; to: Checkpoint };
+
+/** Moves that may wait for the solver; more are a held key. */
+const longestQueue = 4;
+/** Time steps that can be gone back to. */
+const longestPast = 1000;
+
+/** Drives one figure as app/session.ts drives the lab, but keeps the moment itself: between two requests the solver serves other figures. */
+export class FigureSession implements Figure {
+  readonly scene = signal<Scene>(noScene);
+  /** #E, m: rest lengths. */
+  readonly r = signal<Float64Array>(new Float64Array(0));
+  readonly frame = signal<Frame | null>(null);
+  readonly playing = signal(false);
+  /** The parameters that differ from the scene's own. */
+  readonly chosen = signal<Partial<Adjustable>>({});
+  readonly parameters = computed(() => parametersOn(this.scene.value, this.chosen.value));
+  readonly pins = signal<readonly Pin[] | null>(null);
+  readonly selection = signal<Selection>({ spring: null, vertex: null });
+  /** The vertex that the reader holds, pinned or not, and where: time runs as long as it is held. */
+  readonly held = signal<Pin | null>(null);
+  /** Why the last request was refused. */
+  readonly refusal = signal<{ key: MessageKey; params: Record<string, string | number> } | null>(null);
+  /** Whether the figure is on the screen: elsewhere it sleeps. */
+  readonly awake = signal(false);
+
+  /** Whether the clock runs. */
+  private readonly running = computed(() => this.awake.value && (this.playing.value || this.held.value !== null));
+
+  readonly settings: FigureSettings;
+  private readonly solver: LessonSolver;
+  private readonly clock = new Clock();
+  private readonly queue: Move[] = [];
+  private beginning: Checkpoint | null = null;
+  private here: Checkpoint | null = null;
+  private past: Checkpoint[] = [];
+  private busy = false;
+  private stale = false;
+
+  constructor(solver: LessonSolver, settings: FigureSettings) {
+    this.solver = solver;
+    this.settings = settings;
+    this.setBack();
+  }
+
+  /** Begins to follow its signals and the display's refresh. Returns how to stop. */
+  start(): () => void {
+    const stopFollowing = effect(() => {
+      void [this.chosen.value, this.pins.value, this.held.value, this.selection.value]; // they change the picture
+      if (!this.awake.value) return;
+      untracked(() => {
+        this.stale = true;
+        void this.pump();
+      });
+    });
+    let asked = 0;
+    const tick = (now: number) => {
+      asked = requestAnimationFrame(tick);
+      if (this.busy) return;
+      const steps = this.clock.due(now, this.parameters.value.delta_t);
+      if (steps > 0) this.order({ kind: 'play', steps });
+    };
+    const stopClock = effect(() => {
+      cancelAnimationFrame(asked);
+      this.clock.rest();
+      if (this.running.value) asked = requestAnimationFrame(tick);
+    });
+    return () => {
+      stopFollowing();
+      stopClock();
+      cancelAnimationFrame(asked);
+    };
+  }
+
+  /** Moves the cursor, and stops the clock unless it is the clock that asks. */
+  order(move: Move): void {
+    if (move.kind !== 'play') this.playing.value = false;
+    if (this.queue.length < longestQueue) this.queue.push(move);
+    void this.pump();
+  }
+
+  /** As when the reader came. */
+  reset(): void {
+    this.setBack();
+    if (this.beginning) this.order({ kind: 'jump', to: this.beginning });
+  }
+
+  setParameter<Name extends keyof Adjustable>(name: Name, value: Adjustable[Name]): void {
+    this.chosen.value = { ...this.chosen.value, [name]: value };
+  }
+
+  selectSpring(spring: number): void {
+    this.selection.value = { ...this.selection.value, spring };
+  }
+
+  selectVertex(vertex: number): void {
+    this.selection.value = { ...this.selection.value, vertex };
+  }
+
+  movePin(vertex: number, target: Pin['target']): void {
+    this.pins.value = this.pinsOf(this.scene.value).map((pin) => (pin.vertex === vertex ? { vertex, target } : pin));
+  }
+
+  /** A pin stays where it is let go, any other vertex is free again. */
+  letGo(): void {
+    const { value: held } = this.held;
+    batch(() => {
+      if (held) this.movePin(held.vertex, held.target);
+      this.held.value = null;
+    });
+  }
+
+  /** The matrices at the present moment, and E at points of the caller's choice, each #V×3, m. Null where there is no moment yet. */
+  async inspect(points: readonly Float64Array[] = []): Promise<Inspection | null> {
+    const { here } = this;
+    return here && this.solver.inspect(this.moment(this.scene.value, here, { kind: 'stay' }), points);
+  }
+
+  /** What the lab needs to show the same. Null where there is nothing to show yet. */
+  forLab(): { state: Pick<AppState, 'scene' | 'parameters' | 'pins' | 'selection'>; from: Checkpoint } | null {
+    if (!this.here) return null;
+    const { chosen, pins, selection } = this;
+    const state = {
+      scene: this.settings.scene,
+      parameters: chosen.value,
+      pins: pins.value && [...pins.value],
+      selection: selection.value,
+    };
+    return { state, from: this.here };
+  }
+
+  /** The moment shown; null before the first. */
+  checkpoint(): Checkpoint | null {
+    return this.here;
+  }
+
+  private setBack(): void {
+    batch(() => {
+      this.playing.value = false;
+      this.chosen.value = this.settings.parameters ?? {};
+      this.pins.value = this.settings.pins ?? null;
+      this.selection.value = this.settings.selection ?? { spring: 0, vertex: null };
+      this.held.value = null;
+      this.refusal.value = null;
+    });
+  }
+
+  private async pump(): Promise<void> {
+    if (this.busy) return;
+    this.busy = true;
+    try {
+      if (!this.here) await this.open();
+      for (let move = this.next(); move && this.here; move = this.next()) await this.make(move, this.here);
+    } catch (reason) {
+      if (reason instanceof SolverCrash) this.refuse({ key: 'page.errors.crash', params: { reason: reason.message } });
+      else if (reason instanceof SceneProblem) this.refuse(reason);
+      else throw reason;
+    } finally {
+      this.busy = false;
+    }
+  }
+
+  private next(): Move | null {
+    return this.queue.shift() ?? (this.stale && !this.running.value ? { kind: 'stay' } : null);
+  }
+
+  private async open(): Promise<void> {
+    const scene = await findScene(this.settings.scene);
+    for (const command of [{ kind: 'stay' } as const, ...(this.settings.opening ?? [])]) {
+      this.take(scene, await this.solver.run(this.moment(scene, this.here, command)));
+    }
+    this.beginning = this.here;
+    this.past = [];
+  }
+
+  private async make(move: Move, here: Checkpoint): Promise<void> {
+    const scene = this.scene.value;
+    const { last_half_step } = this.frame.value as Frame;
+    const back = move.kind === 'previous_step' || (move.kind === 'previous_half_step' && here.half_step === 0);
+    const from = back ? (this.past.pop() ?? here) : move.kind === 'jump' ? move.to : here;
+    if (move.kind === 'jump') this.past = [];
+    const command: Command = back || move.kind === 'jump' ? { kind: 'stay' } : move;
+    const outcome = await this.solver.run(this.moment(scene, from, command));
+    if (outcome.ok && command.kind === 'play') this.clock.spent(command.steps, outcome.value.frame.milliseconds);
+    this.take(scene, outcome, last_half_step);
+  }
+
+  private moment(scene: Scene, from: Checkpoint | null, command: Command): Moment {
+    this.stale = false;
+    const request: Request = {
+      parameters: parametersOn(scene, this.chosen.value),
+      pins: pinsOn(scene, this.pinsInForce(scene)),
+      command,
+      selectedVertex: this.selection.value.vertex,
+      wholeTrace: command.kind !== 'play',
+      profile: false,
+    };
+    return { problem: scene, request, from };
+  }
+
+  /** Shows what came of a request. `last_half_step` is that of the time step it started from. */
+  private take(scene: Scene, outcome: Outcome<Opened>, last_half_step = 0): void {
+    if (!outcome.ok) {
+      const { code, field, index, value } = outcome.status;
+      this.refuse({ key: `page.errors.${code}` as MessageKey, params: { field, index, value } });
+      return;
+    }
+    const { frame, checkpoint, r } = outcome.value;
+    if (this.here && checkpoint.step > this.here.step)
+      this.past = [...this.past.slice(1 - longestPast), { ...this.here, half_step: last_half_step }];
+    this.here = checkpoint;
+    batch(() => {
+      this.refusal.value = null;
+      this.scene.value = scene;
+      this.r.value = r;
+      this.frame.value = { ...frame, rememberedSteps: this.past.length };
+    });
+  }
+
+  private refuse(why: { key: MessageKey; params: Record<string, string | number> }): void {
+    this.playing.value = false;
+    this.queue.length = 0;
+    this.refusal.value = why;
+  }
+
+  private pinsInForce(scene: Scene): Pin[] {
+    const { value: held } = this.held;
+    const pins = this.pinsOf(scene).filter(({ vertex }) => vertex !== held?.vertex);
+    return held ? [...pins, held] : pins;
+  }
+
+  private pinsOf(scene: Scene): readonly Pin[] {
+    return this.pins.value ?? Array.from(scene.pinned, (vertex) => ({ vertex, target: null }));
+  }
+}

@@ -1,0 +1,71 @@
+import { t } from '../../../app/messages/index.ts';
+import { fillTemplate } from '../../../lib/fill_template.ts';
+import { Icon, type IconName } from '../../../lib/icon.tsx';
+import { lessonWords } from '../lesson_words.ts';
+import type { FigureSession } from './figure_session.ts';
+
+/** The clock's buttons, and where it stands. */
+export function FigureTransport({ figure }: { figure: FigureSession }) {
+  const playing = figure.playing.value;
+  const frame = figure.frame.value;
+  const atBeginning = !frame || (frame.half_step === 0 && frame.rememberedSteps === 0);
+  return (
+    <fieldset class="figure-transport" aria-label={t('page.transport.label')}>
+      <Move icon="reset" label={t('page.transport.reset')} onClick={() => figure.reset()} />
+      <Move
+        icon="previousHalfStep"
+        half
+        label={t('page.transport.previousHalfStep')}
+        off={atBeginning}
+        onClick={() => figure.order({ kind: 'previous_half_step' })}
+      />
+      <Move
+        icon={playing ? 'pause' : 'play'}
+        label={t(playing ? 'page.transport.pause' : 'page.transport.play')}
+        onClick={() => {
+          figure.playing.value = !playing;
+        }}
+      />
+      <Move
+        icon="nextHalfStep"
+        half
+        label={t('page.transport.nextHalfStep')}
+        onClick={() => figure.order({ kind: 'next_half_step' })}
+      />
+      <Move icon="nextStep" label={t('page.transport.nextStep')} onClick={() => figure.order({ kind: 'next_step' })} />
+      <Place figure={figure} />
+    </fieldset>
+  );
+}
+
+/** In words, where the clock and the cursor stand. */
+function Place({ figure }: { figure: FigureSession }) {
+  const words = lessonWords().figure;
+  const playing = figure.playing.value;
+  const frame = figure.frame.value;
+  if (!frame) return <p class="figure-place">{words.loading}</p>;
+  const { step, iteration, iterations, phase } = frame;
+  const place = { step, iteration, iterations, phase: t(`page.phase.${phase}`) };
+  return (
+    <p class="figure-place" data-phase={phase} aria-live={playing ? 'off' : 'polite'}>
+      {fillTemplate(playing ? words.playing : words.place, place)}
+    </p>
+  );
+}
+
+interface MoveProps {
+  icon: IconName;
+  label: string;
+  half?: boolean;
+  off?: boolean;
+  onClick: () => void;
+}
+
+function Move({ icon, label, half = false, off = false, onClick }: MoveProps) {
+  return (
+    <button type="button" aria-label={label} title={label} aria-disabled={off} onClick={off ? undefined : onClick}>
+      <Icon name={icon} />
+      {half && '½'}
+    </button>
+  );
+}

@@ -1,0 +1,101 @@
+import { useRef } from 'preact/hooks';
+import { appliedTheme } from '../../../app/preferences.ts';
+import type { Frame } from '../../../solver/frame.ts';
+import { darkPalette, lightPalette } from '../../../views/scene3d/palette.ts';
+import type { Arrows } from './arrows.ts';
+import { netEnds, projectedFrom, tornEnds } from './drawn_springs.ts';
+import type { FigureSession } from './figure_session.ts';
+import { MoveArrows } from './move_arrows.tsx';
+import { PinLines, Pins } from './pins.tsx';
+import { windows } from './planar_scenes.ts';
+import { Plane } from './plane.ts';
+import { SpringList } from './spring_list.tsx';
+import { springPath } from './spring_path.ts';
+import { useWidth } from './use_width.ts';
+import { VertexList } from './vertex_list.tsx';
+import './spring_picture.css';
+
+/** `net`: the springs where p has them. `torn`: every spring alone at its d, the net behind it as a ghost. */
+export type PictureMode = 'net' | 'torn';
+
+interface Props {
+  figure: FigureSession;
+  mode: PictureMode;
+  name: string;
+  arrows?: ((frame: Frame) => Arrows) | undefined;
+}
+
+/** A planar scene from the front. Its springs and vertices can be pointed at, focused and chosen; in the net the vertices can be pulled. */
+export function SpringPicture({ figure, mode, name, arrows }: Props) {
+  const host = useRef<HTMLDivElement>(null);
+  const width = useWidth(host);
+  const frame = figure.frame.value;
+  const window = windows[figure.settings.scene];
+  const ratio = (window.right - window.left) / (window.top - window.bottom);
+  const palette = appliedTheme.value === 'dark' ? darkPalette : lightPalette;
+  const colours = {
+    '--ghost': palette.ghost,
+    '--pin': palette.pin,
+    '--vertex': palette.vertex,
+    '--arrow': palette.arrow,
+    '--glow': palette.glow,
+  };
+
+  const drawing = frame && width > 0 && { figure, frame, plane: new Plane(window, width) };
+
+  return (
+    <div ref={host} class="spring-picture" style={{ ...colours, aspectRatio: ratio }}>
+      {drawing && (
+        <svg viewBox={`0 0 ${width} ${drawing.plane.height}`} width={width} height={drawing.plane.height}>
+          <title>{name}</title>
+          {mode === 'torn' ? <TornSprings {...drawing} /> : <Net {...drawing} arrows={arrows} />}
+        </svg>
+      )}
+      {drawing && mode === 'net' && <Pins {...drawing} />}
+    </div>
+  );
+}
+
+interface Drawing {
+  figure: FigureSession;
+  frame: Frame;
+  plane: Plane;
+}
+
+function Net({ figure, frame, plane, arrows }: Drawing & Pick<Props, 'arrows'>) {
+  const ends = netEnds(figure.scene.value, frame.p);
+  return (
+    <>
+      <SpringList figure={figure} ends={ends} net={ends} plane={plane} />
+      <PinLines frame={frame} plane={plane} />
+      <VertexList figure={figure} frame={frame} plane={plane} />
+      {arrows && <MoveArrows arrows={arrows(frame)} plane={plane} />}
+    </>
+  );
+}
+
+function TornSprings({ figure, frame, plane }: Drawing) {
+  const scene = figure.scene.value;
+  const net = netEnds(scene, projectedFrom(frame));
+  return (
+    <>
+      <Ghost figure={figure} frame={frame} ends={net} plane={plane} />
+      <SpringList figure={figure} ends={tornEnds(scene, frame)} net={net} plane={plane} />
+    </>
+  );
+}
+
+/** The net that the springs were torn from. */
+function Ghost({ figure, frame, ends, plane }: Drawing & { ends: Float64Array }) {
+  return (
+    <g class="ghost">
+      {Array.from(figure.r.value, (r, e) => (
+        <path key={e} d={springPath(plane.place(ends, 2 * e), plane.place(ends, 2 * e + 1), plane.length(r))} />
+      ))}
+      {Array.from(figure.scene.value.m, (_, i) => {
+        const [x, y] = plane.place(projectedFrom(frame), i);
+        return <circle key={i} cx={x} cy={y} r={4} />;
+      })}
+    </g>
+  );
+}

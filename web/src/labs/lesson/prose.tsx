@@ -1,0 +1,48 @@
+import type { ComponentChildren } from 'preact';
+import { Formula } from '../../views/equations/formula.tsx';
+import { Display } from './display.tsx';
+import { type Block, parseProse, type Span } from './parse_prose.ts';
+
+/** Author's text (parse_prose.ts says in what notation) as the reader sees it. */
+export function Prose({ text }: { text: string }) {
+  return <>{parseProse(text).map((block, at) => renderBlock(block, at))}</>;
+}
+
+/** Author's text of one paragraph, for captions and cells. */
+export function Phrase({ text }: { text: string }) {
+  return <>{parseProse(text).map((block) => (block.kind === 'paragraph' ? renderSpans(block.spans) : null))}</>;
+}
+
+function renderBlock(block: Block, key: number): ComponentChildren {
+  switch (block.kind) {
+    case 'display':
+      return <Display key={key} tex={block.tex} />;
+    case 'list':
+      return (
+        <ul key={key}>
+          {block.items.map((spans, item) => (
+            <li key={item}>{renderSpans(spans)}</li>
+          ))}
+        </ul>
+      );
+    case 'paragraph':
+      return <p key={key}>{renderSpans(block.spans)}</p>;
+  }
+}
+
+function renderSpans(spans: readonly Span[]): ComponentChildren {
+  return spans.map(renderSpan);
+}
+
+function renderSpan({ kind, text }: Span, key: number): ComponentChildren {
+  switch (kind) {
+    case 'tex':
+      return <Formula key={key} tex={text} />;
+    case 'strong':
+      return <strong key={key}>{text}</strong>;
+    case 'code':
+      return <code key={key}>{text}</code>;
+    case 'text':
+      return text;
+  }
+}

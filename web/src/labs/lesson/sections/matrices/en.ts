@@ -1,0 +1,3 @@
+export const en = {
+  intro: 'This section is being written.',
+};
