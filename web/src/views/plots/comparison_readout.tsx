@@ -25,7 +25,7 @@ export function ComparisonReadout(props: Props) {
   const { caption, made, curves, hidden, abscissa, place, stale, onToggle, onNewton } = props;
   const instead = (method: Method): ComponentChildren => {
     const refusal = made.refusals.find((one) => one.method === method);
-    if (refusal) return t('plots.comparison.refused', { value: refusal.status.value });
+    if (refusal) return t('plots.comparison.refused', { megabytes: Math.round(refusal.status.value / 1e6) });
     if (stale) return null;
     if (method !== 'newton' || missingMethod.value === 'newton') return t('plots.comparison.computing');
     return (
