@@ -94,6 +94,11 @@ export interface Evaluation {
 
 /** What of the open problem only a small scene can show whole. */
 export interface Inspection {
+  /** #V×3, m: p^t and p^{t−Δt}. */
+  p_curr: Float64Array;
+  p_prev: Float64Array;
+  /** #V, kg: in use. */
+  m: Float64Array;
   A: Triplets;
   M: Triplets;
   C: Triplets;

@@ -52,6 +52,9 @@ export class SolverSession {
   inspect(points: readonly Float64Array[]): Inspection {
     const s = this.simulation;
     return {
+      p_curr: s.p_curr().slice(),
+      p_prev: s.p_prev().slice(),
+      m: s.m().slice(),
       A: s.A(),
       M: s.M(),
       C: s.C(),

@@ -136,8 +136,13 @@ export class FigureSession implements Figure {
 
   /** The matrices at the present moment, and E at points of the caller's choice, each #V×3, m. Null where there is no moment yet. */
   async inspect(points: readonly Float64Array[] = []): Promise<Inspection | null> {
-    const { here } = this;
-    return here && this.solver.inspect(this.moment(this.scene.value, here, { kind: 'stay' }), points);
+    if (!this.here) return null;
+    try {
+      return await this.solver.inspect(this.moment(this.scene.value, this.here, { kind: 'stay' }), points);
+    } catch (reason) {
+      this.explain(reason);
+      return null;
+    }
   }
 
   /** What the lab needs to show the same. Null where there is nothing to show yet. */
@@ -176,9 +181,7 @@ export class FigureSession implements Figure {
       if (!this.here) await this.open();
       for (let move = this.next(); move && this.here; move = this.next()) await this.make(move, this.here);
     } catch (reason) {
-      if (reason instanceof SolverCrash) this.refuse({ key: 'page.errors.crash', params: { reason: reason.message } });
-      else if (reason instanceof SceneProblem) this.refuse(reason);
-      else throw reason;
+      this.explain(reason);
     } finally {
       this.busy = false;
     }
@@ -239,6 +242,12 @@ export class FigureSession implements Figure {
       this.r.value = r;
       this.frame.value = { ...frame, rememberedSteps: this.past.length };
     });
+  }
+
+  private explain(reason: unknown): void {
+    if (reason instanceof SolverCrash) this.refuse({ key: 'page.errors.crash', params: { reason: reason.message } });
+    else if (reason instanceof SceneProblem) this.refuse(reason);
+    else throw reason;
   }
 
   private refuse(why: { key: MessageKey; params: Record<string, string | number> }): void {

@@ -1,0 +1,44 @@
+import { Formula } from '../../views/equations/formula.tsx';
+import type { FigureSession } from './figures/figure_session.ts';
+import { type AtPoint, GradientCheck } from './gradient_check.tsx';
+import { lessonWords } from './lesson_words.ts';
+import { Prose } from './prose.tsx';
+import './slip.css';
+
+interface Props {
+  figure: FigureSession;
+  /** TeX. */
+  printed: string;
+  right: string;
+  why: string;
+  /** J: E as it is printed. */
+  printedEnergy: (at: AtPoint) => number;
+}
+
+/** A formula as it is printed and as it is right, and a check that anybody can redo: whose differences are the gradient? */
+export function Slip({ figure, printed, right, why, printedEnergy }: Props) {
+  const words = lessonWords().slip;
+  return (
+    <aside class="slip" aria-label={words.label}>
+      <p class="slip-label" aria-hidden="true">
+        {words.label}
+      </p>
+      <dl>
+        <dt>
+          <span class="slip-wrong">✗</span> {words.printed}
+        </dt>
+        <dd>
+          <Formula tex={printed} display />
+        </dd>
+        <dt>
+          <span class="slip-right">✓</span> {words.right}
+        </dt>
+        <dd>
+          <Formula tex={right} display />
+        </dd>
+      </dl>
+      <Prose text={why} />
+      <GradientCheck figure={figure} printedEnergy={printedEnergy} />
+    </aside>
+  );
+}
