@@ -54,7 +54,6 @@ void Newton::begin(const NewtonProblem& problem, const Points& p) {
   standing_ = {};
   caution_ = 0;
   evaluate(problem, p);
-  llt_.analyzePattern(hessian_matrix(problem, p, 0));
 }
 
 bool Newton::iterate(const NewtonProblem& problem, Points& p) {
@@ -76,7 +75,10 @@ void Newton::evaluate(const NewtonProblem& problem, const Points& p) {
 
 /// p ← p - α H⁻¹ ∂E/∂p, if that lowers E.
 bool Newton::descend(const NewtonProblem& problem, double left_out, Points& p) {
-  llt_.factorize(hessian_matrix(problem, p, left_out));
+  const SparseMatrix H = hessian_matrix(problem, p, left_out);
+  if (!analysed_) llt_.analyzePattern(H);
+  analysed_ = true;
+  llt_.factorize(H);
   if (llt_.info() != Eigen::Success) return false;
   x_.resizeLike(p);
   x_.reshaped<Eigen::RowMajor>() = llt_.solve(standing_.gradient.reshaped<Eigen::RowMajor>());

@@ -42,6 +42,7 @@ class NewtonProblem {
 /// has about nine times the entries of Q's.
 class Newton {
  public:
+  /// @param problem  with the springs and pins of all before: the pattern of H is analysed once
   /// @param p  #V by 3, m; where pins are held, they have to be there
   void begin(const NewtonProblem& problem, const Points& p);
 
@@ -58,6 +59,7 @@ class Newton {
 
   Standing<Points> standing_;
   std::size_t caution_ = 0;                 // which share of negative curvature to leave out
+  bool analysed_ = false;
   Eigen::SimplicialLLT<SparseMatrix> llt_;  // of H, 3#V by 3#V, N/m
   Points x_;                                // #V by 3, m: H⁻¹ ∂E/∂p
   Points q_;                                // #V by 3, m: a candidate for the next iterate

@@ -111,6 +111,15 @@ describe('the link', () => {
     expect(problems.map((problem) => 'part' in problem && problem.part)).toEqual([part]);
   });
 
+  it('reads a link made before there was a choice of plots', () => {
+    const { plot: _, ...older } = { ...defaultState.view, springs: false };
+    const path = encodeLink(lab, defaultState).split('?')[0];
+    const view = encodeURIComponent(JSON.stringify(older));
+    const { state, problems } = decodeLink(`${path}?view=${view}`, defaultState);
+    expect(problems).toEqual([]);
+    expect(state.view).toEqual({ ...older, plot: 'trace' });
+  });
+
   it('does not read a link longer than any of ours', () => {
     const { state, problems } = decodeLink(`#/springs?pins=${'x'.repeat(longestLink)}`, defaultState);
     expect(state).toEqual(defaultState);

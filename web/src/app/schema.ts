@@ -37,7 +37,7 @@ export const stateSchema = {
         z.refine(({ position, target }) => position.some((x, axis) => x !== target[axis])), // or it would look nowhere
       ),
     ),
-    plot: z.enum(['trace', 'comparison']),
+    plot: z._default(z.enum(['trace', 'comparison']), 'trace'), // links made before there was a choice name none
   }),
   language: z.enum(languages),
   theme: z.enum(['light', 'dark', 'system']),
