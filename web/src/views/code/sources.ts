@@ -39,10 +39,11 @@ export type SourceFile = keyof typeof files;
 
 export const sourceFiles = Object.keys(files) as SourceFile[];
 
-/** What stands in the file's namespace, line by line. */
+/** What stands in the file's namespace, line by line, without the instantiations of templates at its end. */
 export function linesOf(file: SourceFile): string[] {
-  const body = files[file].split(/^.*namespace mass_spring.*$/m)[1];
-  return body.trim().split('\n');
+  const [, body] = files[file].split(/^.*namespace mass_spring.*$/m);
+  const [definitions] = body.split(/^template void/m);
+  return definitions.trim().split('\n');
 }
 
 const symbolWithCode = new Map(symbolIds.map((id) => [symbol(id).code, id]));

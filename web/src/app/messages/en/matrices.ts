@@ -1,0 +1,17 @@
+import type { Axis } from '../../../notation/symbols.ts';
+
+export const matrices = {
+  along: {
+    '#E': 'springs',
+    '#V': 'vertices',
+    '#pinned': 'pins',
+    '2': 'ends i, j',
+    '3': 'x, y, z',
+  } satisfies Record<Axis, string>,
+  inUnit: '{{axes}}, in {{unit}}',
+  spring: 'spring {{index}}',
+  vertex: 'vertex {{index}}',
+  entry: '{{code}}, {{row}}, {{column}}: {{value}}',
+  component: '{{code}}, {{row}}: {{value}}',
+  product: 'Point at a row to see how it comes about.',
+};

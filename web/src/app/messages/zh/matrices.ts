@@ -1,0 +1,18 @@
+import type { matrices as en } from '../en/matrices.ts';
+import type { Catalogue } from '../index.ts';
+
+export const matrices: Catalogue<typeof en> = {
+  along: {
+    '#E': '弹簧',
+    '#V': '质点',
+    '#pinned': '固定点',
+    '2': '端点 i、j',
+    '3': 'x、y、z',
+  },
+  inUnit: '{{axes}}，单位 {{unit}}',
+  spring: '弹簧 {{index}}',
+  vertex: '质点 {{index}}',
+  entry: '{{code}}，{{row}}，{{column}}：{{value}}',
+  component: '{{code}}，{{row}}：{{value}}',
+  product: '指向某一行，看它是怎样算出来的。',
+};

@@ -1,0 +1,18 @@
+import { columnScale, formatFixed, formatInColumn, formatNumber } from '../../lib/format.ts';
+
+/** Entries whose sizes differ by more than this factor cannot share a scale: the small ones would all read 0. */
+const widest = 1e4;
+
+/** How the entries of a matrix are written: whole numbers as such, others in one scale if they can share one. Zero is always "0". */
+export function entryFormat(
+  values: ArrayLike<number>,
+  unit: string | null,
+): { unit: string | null; write(value: number): string } {
+  const sizes = Array.from(values, Math.abs).filter((size) => size > 0);
+  const largest = Math.max(0, ...sizes);
+  const writeEach = (write: (value: number) => string) => (value: number) => (value === 0 ? '0' : write(value));
+  if (largest < widest && sizes.every(Number.isInteger)) return { unit, write: (value) => formatFixed(value, 0) };
+  if (largest > widest * Math.min(...sizes)) return { unit, write: writeEach(formatNumber) };
+  const scale = columnScale(largest, unit ?? '', 3);
+  return { unit: scale.unit || null, write: writeEach((value) => formatInColumn(value, scale)) };
+}

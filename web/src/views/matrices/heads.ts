@@ -1,0 +1,41 @@
+import { countAlong, type Figure } from '../../app/figure.ts';
+import { t } from '../../app/messages/index.ts';
+import type { Selection } from '../../app/state.ts';
+import { type Axis, type SymbolId, symbol, type Thing, thingAlong } from '../../notation/symbols.ts';
+
+/** What stands at the head of a row or column. */
+export interface Head {
+  /** What the row or column belongs to, and its number in the figure; null for coordinates and ends. */
+  thing: Thing | null;
+  index: number;
+  /** As written beside the numbers; empty over the one column of a vector. */
+  short: string;
+  /** As read out. */
+  name: string;
+}
+
+const letters: Partial<Record<Axis, string>> = { '2': 'ij', '3': 'xyz' };
+
+export function headsOf(id: SymbolId, figure: Figure): { rows: Head[]; columns: Head[] } {
+  const [rows, columns] = symbol(id).shape;
+  const one = [{ thing: null, index: 0, short: '', name: '' }];
+  return { rows: rows ? headsAlong(rows, figure) : one, columns: columns ? headsAlong(columns, figure) : one };
+}
+
+function headsAlong(axis: Axis, figure: Figure): Head[] {
+  const thing = thingAlong(axis);
+  const pinned = axis === '#pinned' ? figure.frame.value?.pinned : undefined;
+  return Array.from({ length: countAlong(axis, figure) }, (_, at) => {
+    const index = pinned ? pinned[at] : at;
+    const short = letters[axis]?.[at] ?? String(index);
+    return { thing, index, short, name: thing ? t(`matrices.${thing}`, { index }) : short };
+  });
+}
+
+export function thingsOf({ thing, index }: Head): Selection {
+  return { spring: thing === 'spring' ? index : null, vertex: thing === 'vertex' ? index : null };
+}
+
+export function isLit({ spring, vertex }: Selection, lit: Selection): boolean {
+  return (spring !== null && spring === lit.spring) || (vertex !== null && vertex === lit.vertex);
+}
