@@ -1,21 +1,22 @@
-export interface Span {
-  kind: 'text' | 'strong' | 'code' | 'tex';
-  text: string;
-}
+import type { SectionId } from '../../notation/sections.ts';
+
+export type Span =
+  | { kind: 'text' | 'strong' | 'code' | 'tex'; text: string }
+  | { kind: 'link'; text: string; section: SectionId };
 
 export type Block =
   | { kind: 'paragraph'; spans: Span[] }
   | { kind: 'list'; items: Span[][] }
   | { kind: 'display'; tex: string };
 
-const marks = /\$([^$]+)\$|\*\*([^*]+)\*\*|\|([^|]+)\|/g;
+const marks = /\$([^$]+)\$|\*\*([^*]+)\*\*|\|([^|]+)\||\[([^\]]+)\]\((\w+)\)/g;
 
 /** Full-width punctuation and Chinese characters: between two of them a line break in the source is no space. */
 const wide = /[\u2014\u2018-\u201d\u2026\u3000-\u303f\u4e00-\u9fff\uff00-\uffef]/;
 
 /**
  * The author's notation: paragraphs, lists of lines that begin with "- ", and displayed $$formulas$$ are parted by blank lines; inside a line
- * stand $formulas$, **what is important** and |code|.
+ * stand $formulas$, **what is important**, |code|, and [links](time) to other sections.
  */
 export function parseProse(source: string): Block[] {
   return source
@@ -44,11 +45,12 @@ function parseSpans(source: string): Span[] {
   const spans: Span[] = [];
   let end = 0;
   for (const mark of text.matchAll(marks)) {
-    const [whole, tex, strong, code] = mark;
+    const [whole, tex, strong, code, link, id] = mark;
     if (mark.index > end) spans.push({ kind: 'text', text: text.slice(end, mark.index) });
     if (tex !== undefined) spans.push({ kind: 'tex', text: tex });
     else if (strong !== undefined) spans.push({ kind: 'strong', text: strong });
-    else spans.push({ kind: 'code', text: code });
+    else if (code !== undefined) spans.push({ kind: 'code', text: code });
+    else spans.push({ kind: 'link', text: link, section: id as SectionId }); // held by tests/web/labs/lesson/texts.test.ts
     end = mark.index + whole.length;
   }
   if (end < text.length) spans.push({ kind: 'text', text: text.slice(end) });

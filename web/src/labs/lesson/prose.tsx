@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import { pathOf } from '../../app/route.ts';
 import { Formula } from '../../views/equations/formula.tsx';
 import { Display } from './display.tsx';
 import { type Block, parseProse, type Span } from './parse_prose.ts';
@@ -34,15 +35,21 @@ function renderSpans(spans: readonly Span[]): ComponentChildren {
   return spans.map(renderSpan);
 }
 
-function renderSpan({ kind, text }: Span, key: number): ComponentChildren {
-  switch (kind) {
+function renderSpan(span: Span, key: number): ComponentChildren {
+  switch (span.kind) {
     case 'tex':
-      return <Formula key={key} tex={text} />;
+      return <Formula key={key} tex={span.text} />;
     case 'strong':
-      return <strong key={key}>{text}</strong>;
+      return <strong key={key}>{span.text}</strong>;
     case 'code':
-      return <code key={key}>{text}</code>;
+      return <code key={key}>{span.text}</code>;
+    case 'link':
+      return (
+        <a key={key} href={pathOf({ page: 'lesson', section: span.section })}>
+          {span.text}
+        </a>
+      );
     case 'text':
-      return text;
+      return span.text;
   }
 }

@@ -1,0 +1,139 @@
+import { useId, useRef } from 'preact/hooks';
+import { formatPowerOfTen } from '../../../lib/format.ts';
+import { lessonWords } from '../lesson_words.ts';
+import { Phrase } from '../prose.tsx';
+import { type Range, rangeOf, share, ticks } from './chart_axis.ts';
+import { ChartNumbers } from './chart_numbers.tsx';
+import type { Place } from './plane.ts';
+import { useWidth } from './use_width.ts';
+import './line_chart.css';
+
+export interface Series {
+  name: string;
+  /** In the order of x. */
+  points: readonly (readonly [x: number, y: number])[];
+  /** Dots without a line between them: measurements. */
+  dots?: boolean;
+}
+
+export interface ChartAxis {
+  /** One phrase, with the unit. */
+  label: string;
+  logarithmic?: boolean;
+  /** Where the values do not say it. */
+  range?: readonly [min: number, max: number];
+}
+
+interface Props {
+  series: readonly Series[];
+  x: ChartAxis;
+  y: ChartAxis;
+  /** What is to be seen, for those who cannot see it. */
+  summary: string;
+}
+
+const height = 240; // px
+const margin = { left: 56, right: 12, top: 8, bottom: 28 }; // px
+
+/** A few curves in one frame, told apart by colour, dashes and name; their numbers in a table. */
+export function LineChart({ series, x, y, summary }: Props) {
+  const frame = useId();
+  const host = useRef<HTMLDivElement>(null);
+  const width = useWidth(host);
+  const across = axisRange(x, series, 0);
+  const along = axisRange(y, series, 1);
+  const place = {
+    x: toPlace(across, margin.left, width - margin.right),
+    y: toPlace(along, height - margin.bottom, margin.top),
+  };
+
+  return (
+    <figure class="line-chart">
+      <p class="line-chart-label">
+        <Phrase text={y.label} />
+      </p>
+      <div ref={host} style={{ height: `${height}px` }}>
+        {width > 0 && (
+          <svg viewBox={`0 0 ${width} ${height}`} width={width} height={height} role="img" aria-label={summary}>
+            {ticks(across).map((value) => (
+              <g key={value} class="line-chart-tick">
+                <line x1={place.x(value)} x2={place.x(value)} y1={margin.top} y2={height - margin.bottom} />
+                <text x={place.x(value)} y={height - 8} text-anchor="middle">
+                  {tickText(value, across)}
+                </text>
+              </g>
+            ))}
+            {ticks(along).map((value) => (
+              <g key={value} class="line-chart-tick">
+                <line x1={margin.left} x2={width - margin.right} y1={place.y(value)} y2={place.y(value)} />
+                <text x={margin.left - 8} y={place.y(value) + 4} text-anchor="end">
+                  {tickText(value, along)}
+                </text>
+              </g>
+            ))}
+            <clipPath id={frame}>
+              <rect x={margin.left} y={0} width={width - margin.left} height={height - margin.bottom} />
+            </clipPath>
+            <g clip-path={`url(#${frame})`}>
+              {series.map(({ name, points, dots }, at) => (
+                <Curve
+                  key={name}
+                  places={points
+                    .filter((point) => point.every(Number.isFinite))
+                    .map(([a, b]) => [place.x(a), place.y(b)])}
+                  dots={dots ?? false}
+                  at={at}
+                />
+              ))}
+            </g>
+          </svg>
+        )}
+      </div>
+      <p class="line-chart-label line-chart-x">
+        <Phrase text={x.label} />
+      </p>
+      <ul class="line-chart-names">
+        {series.map(({ name, dots }, at) => (
+          <li key={name}>
+            <svg width="28" height="10" aria-hidden="true" class={`curve curve-${at}`}>
+              {dots ? <circle cx="14" cy="5" r="3.5" /> : <path d="M0 5H28" />}
+            </svg>
+            {name}
+          </li>
+        ))}
+      </ul>
+      <details class="line-chart-numbers">
+        <summary>{lessonWords().chart.numbers}</summary>
+        <ChartNumbers series={series} x={x} y={y} />
+      </details>
+    </figure>
+  );
+}
+
+function Curve({ places, dots, at }: { places: readonly Place[]; dots: boolean; at: number }) {
+  return (
+    <g class={`curve curve-${at}`}>
+      {dots ? (
+        places.map(([x, y]) => <circle key={x} cx={x} cy={y} r={3.5} />)
+      ) : (
+        <path d={`M${places.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`} />
+      )}
+    </g>
+  );
+}
+
+function axisRange({ logarithmic = false, range }: ChartAxis, series: readonly Series[], coordinate: 0 | 1): Range {
+  if (range) return { min: range[0], max: range[1], logarithmic };
+  return rangeOf(
+    series.flatMap(({ points }) => points.map((point) => point[coordinate])),
+    logarithmic,
+  );
+}
+
+function toPlace(range: Range, from: number, to: number): (value: number) => number {
+  return (value) => from + (to - from) * Math.min(1.5, Math.max(-0.5, share(value, range)));
+}
+
+function tickText(value: number, { logarithmic }: Range): string {
+  return logarithmic ? formatPowerOfTen(Math.round(Math.log10(value))) : String(value).replace('-', '−');
+}

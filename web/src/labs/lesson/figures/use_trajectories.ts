@@ -1,0 +1,20 @@
+import { useEffect, useState } from 'preact/hooks';
+import type { Frame } from '../../../solver/frame.ts';
+import type { FigureSettings } from './figure_session.ts';
+import { lessonSolver } from './lesson_solver.ts';
+import { trajectory } from './trajectory.ts';
+
+/** One trajectory for each of the settings, which are to be the same array from render to render; null until all are there. */
+export function useTrajectories(settings: readonly FigureSettings[], steps: number): Frame[][] | null {
+  const [trajectories, setTrajectories] = useState<Frame[][] | null>(null);
+  useEffect(() => {
+    let wanted = true;
+    void Promise.all(settings.map((one) => trajectory(lessonSolver, one, steps))).then((all) => {
+      if (wanted) setTrajectories(all);
+    });
+    return () => {
+      wanted = false;
+    };
+  }, [settings, steps]);
+  return trajectories;
+}
