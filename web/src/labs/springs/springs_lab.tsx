@@ -11,11 +11,15 @@ import { SpringInspector, VertexInspector } from '../../views/inspector/inspecto
 import { Plots } from '../../views/plots/plots.tsx';
 import { SolverPanel } from '../../views/solver_panel/solver_panel.tsx';
 import { Transport } from '../../views/transport/transport.tsx';
+import { InCode } from './in_code.tsx';
 import { GlobalLegend, LocalLegend } from './legends.tsx';
 import { PinHandle } from './pin_handle.tsx';
 import { Stage } from './stage.tsx';
 import { scene3D } from './stage_signals.ts';
 import './springs_lab.css';
+
+const localFiles = ['local_step.cpp', 'edge_vectors.cpp'] as const;
+const globalFiles = ['global_step.cpp', 'right_hand_side.cpp', 'inertial_right_hand_side.cpp'] as const;
 
 /** The springs lab: the two half-steps side by side, each over its equation; below them the clock, then what can be changed. */
 export function SpringsLab({ actions }: { actions: Actions }) {
@@ -33,6 +37,7 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <LocalLegend />
           <div class="panel">
             <LocalEquation frame={f} spring={selectedSpring()} />
+            <InCode files={localFiles} />
           </div>
         </section>
         <section class="half half-global" aria-label={t('page.global.name')}>
@@ -44,6 +49,7 @@ export function SpringsLab({ actions }: { actions: Actions }) {
           <GlobalLegend phase={f.phase} />
           <div class="panel">
             <GlobalEquation frame={f} />
+            <InCode files={globalFiles} />
           </div>
         </section>
         <PinHandle actions={actions} />

@@ -1,5 +1,6 @@
 export const code = {
   listing: 'Source of {{file}}, line by line',
   line: 'Line {{number}}: {{line}}',
-  fold: 'in code',
+  fold: 'In code',
+  plain: 'The functions as one would write them down. The fast path computes the same iterates.',
 };

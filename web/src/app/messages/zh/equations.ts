@@ -43,6 +43,6 @@ export const equations: Catalogue<typeof en> = {
     code: '代码中',
     number: '一个数',
     dimensionless: '无',
-    lesson: '讲义第 {{number}} 节：{{title}}',
+    lesson: '课程第 {{number}} 节：{{title}}',
   },
 };
