@@ -107,6 +107,8 @@ export interface Inspection {
   equations: VertexEquation[];
   /** #V×3, m: where the forces at p^t would carry each vertex. */
   explicitStep: Float64Array;
+  /** 1+K, each #V×3, m: p at predict and after each iteration of the whole time step. */
+  iterates: Float64Array[];
   /** One for each point asked about. */
   evaluations: Evaluation[];
 }

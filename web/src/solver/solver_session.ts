@@ -61,8 +61,21 @@ export class SolverSession {
       Q: s.Q(),
       equations: Array.from({ length: s.vertex_count() }, (_, vertex) => ({ vertex, ...s.probe_vertex(vertex) })),
       explicitStep: s.explicit_step().slice(),
+      iterates: this.iterates(),
       evaluations: points.map((p) => ({ ...s.objective_at(p), gradient: s.gradient_at(p).slice() })),
     };
+  }
+
+  private iterates(): Float64Array[] {
+    const s = this.simulation;
+    const here = s.half_step();
+    const iterates: Float64Array[] = [];
+    for (let half_step = 0; half_step < s.last_half_step(); half_step += 2) {
+      s.seek(half_step);
+      iterates.push(s.p().slice());
+    }
+    s.seek(here);
+    return iterates;
   }
 
   private move(command: Command): Status {

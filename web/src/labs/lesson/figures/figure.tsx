@@ -10,7 +10,7 @@ import type { Arrows } from './arrows.ts';
 import type { FigureSession } from './figure_session.ts';
 import { FigureSlider, type SliderName } from './figure_slider.tsx';
 import { FigureTransport } from './figure_transport.tsx';
-import { type PictureMode, SpringPicture } from './spring_picture.tsx';
+import { type Drawing, type PictureMode, SpringPicture } from './spring_picture.tsx';
 import './figure.css';
 
 interface Props {
@@ -19,6 +19,8 @@ interface Props {
   pictures: readonly PictureMode[];
   /** Drawn over the net. */
   arrows?: (frame: Frame) => Arrows;
+  /** Drawn behind it, in the same SVG. */
+  behind?: (drawing: Drawing) => ComponentChildren;
   sliders?: readonly SliderName[];
   caption: string;
   /** Numbers, matrices, plots: what else shows this figure's moment. */
@@ -26,7 +28,7 @@ interface Props {
 }
 
 /** A small simulation in the text: pictures, clock, sliders, caption, and the way to the lab. It sleeps when it is off the screen. */
-export function Figure({ figure, pictures, arrows, sliders = [], caption, children }: Props) {
+export function Figure({ figure, pictures, arrows, behind, sliders = [], caption, children }: Props) {
   const host = useRef<HTMLElement>(null);
   const actions = useContext(LessonActions);
   const words = lessonWords().figure;
@@ -58,6 +60,7 @@ export function Figure({ figure, pictures, arrows, sliders = [], caption, childr
               mode={mode}
               name={words.pictures[mode].name}
               arrows={mode === 'net' ? arrows : undefined}
+              behind={mode === 'net' ? behind : undefined}
             />
           </div>
         ))}

@@ -163,6 +163,11 @@ export class FigureSession implements Figure {
     return this.here;
   }
 
+  /** The moments that can be gone back to, the oldest first. */
+  earlier(): readonly Checkpoint[] {
+    return this.past;
+  }
+
   private setBack(): void {
     batch(() => {
       this.playing.value = false;

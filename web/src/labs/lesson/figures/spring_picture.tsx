@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { appliedTheme } from '../../../app/preferences.ts';
 import type { Frame } from '../../../solver/frame.ts';
@@ -23,10 +24,11 @@ interface Props {
   mode: PictureMode;
   name: string;
   arrows?: ((frame: Frame) => Arrows) | undefined;
+  behind?: ((drawing: Drawing) => ComponentChildren) | undefined;
 }
 
 /** A planar scene from the front. Its springs and vertices can be pointed at, focused and chosen; in the net the vertices can be pulled. */
-export function SpringPicture({ figure, mode, name, arrows }: Props) {
+export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
   const host = useRef<HTMLDivElement>(null);
   const width = useWidth(host);
   const frame = figure.frame.value;
@@ -48,6 +50,7 @@ export function SpringPicture({ figure, mode, name, arrows }: Props) {
       {drawing && (
         <svg viewBox={`0 0 ${width} ${drawing.plane.height}`} width={width} height={drawing.plane.height}>
           <title>{name}</title>
+          {behind && <g class="behind">{behind(drawing)}</g>}
           {mode === 'torn' ? <TornSprings {...drawing} /> : <Net {...drawing} arrows={arrows} />}
         </svg>
       )}
@@ -56,7 +59,8 @@ export function SpringPicture({ figure, mode, name, arrows }: Props) {
   );
 }
 
-interface Drawing {
+/** What a picture is drawn from. */
+export interface Drawing {
   figure: FigureSession;
   frame: Frame;
   plane: Plane;
