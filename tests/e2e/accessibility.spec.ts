@@ -1,22 +1,5 @@
-import { createRequire } from 'node:module';
-import type { Page } from '@playwright/test';
-import type { AxeResults } from 'axe-core';
+import { seriousViolations } from './support/axe.ts';
 import { expect, open, test } from './support/page.ts';
-
-const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
-
-/** What axe finds that keeps people out, each as "rule: where". */
-async function seriousViolations(page: Page): Promise<string[]> {
-  const { violations } = await page.evaluate(
-    // axe is put on the page below; this runs there
-    () => (globalThis as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run(),
-  );
-  return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .flatMap(({ id, nodes }) =>
-      nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')} ${failureSummary}`),
-    );
-}
 
 for (const language of ['en', 'zh'])
   for (const theme of ['light', 'dark'])
@@ -28,7 +11,6 @@ for (const language of ['en', 'zh'])
         browser,
         baseURL,
       }) => {
-        // axe is a script of ours but not of the page's: its policy would keep it out
         const context = await browser.newContext({
           bypassCSP: true,
           viewport,
@@ -38,7 +20,6 @@ for (const language of ['en', 'zh'])
         const page = await context.newPage();
         await open(page, `./#/springs?scene="net"&language="${language}"&theme="${theme}"`);
         await page.keyboard.press('Space');
-        await page.addScriptTag({ path: axePath });
         expect(await seriousViolations(page)).toEqual([]);
         await page.locator('.objective figcaption button').last().click();
         await expect(page.locator('.comparison-readout')).toBeVisible();

@@ -1,0 +1,91 @@
+import type { Page } from '@playwright/test';
+import { seriousViolations } from './support/axe.ts';
+import { expect, open, test } from './support/page.ts';
+
+const lab = './#/springs?scene="net"&selection={"spring":12,"vertex":7}';
+
+test.use({ bypassCSP: true }); // for axe
+
+test.beforeEach(async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+});
+
+/** The occurrences of a symbol in one place of the page, whose mark is a line below. */
+const occurrences = (page: Page, place: string, id: string) => page.locator(`${place} [data-sym="${id}"]`);
+const marked = /2px/;
+
+async function openLab(page: Page): Promise<void> {
+  await open(page, lab);
+  await page.getByRole('button', { name: /^Half-step forward/ }).click();
+  await expect(page.getByTestId('status')).toContainText('local');
+}
+
+test('a symbol in a formula is marked in the other formulas and in the code, and says what it is now', async ({
+  page,
+}) => {
+  await openLab(page);
+  await page.locator('.half-local .in-code summary').click();
+  await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'd projected springs' }).focus();
+  for (const place of ['.half-local .equation-formulas', '.half-global .equation-formulas', '.half-local .in-code'])
+    await expect(occurrences(page, place, 'd').first()).toHaveCSS('box-shadow', marked);
+  await expect(occurrences(page, '.half-local .equation-formulas', 'r').first()).not.toHaveCSS('box-shadow', marked);
+  const card = page.getByRole('dialog', { name: 'projected springs' });
+  for (const fact of ['#E × 3 = 120 × 3', 'Spring 12', 'Lesson, section 5']) await expect(card).toContainText(fact);
+});
+
+test('a line of code marks its symbols in the formulas, with the keyboard alone', async ({ page }) => {
+  await openLab(page);
+  await page.locator('.half-local .in-code summary').press('Enter');
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('button', { name: /^Line 1: / }).first()).toBeFocused();
+  for (let line = 1; line < 11; line++) await page.keyboard.press('ArrowDown');
+  await expect(page.getByRole('button', { name: 'Line 11: d.row(e) *= r(e) / length;' })).toBeFocused();
+  for (const id of ['d', 'r'])
+    await expect(occurrences(page, '.half-local .equation-formulas', id).first()).toHaveCSS('box-shadow', marked);
+  await expect(occurrences(page, '.half-local .equation-formulas', 'p').first()).not.toHaveCSS('box-shadow', marked);
+  await page.keyboard.press('ArrowRight'); // into the line, to its first symbol
+  await expect(page.getByRole('dialog', { name: 'projected springs' })).toBeVisible();
+  await expect(page.getByTestId('status')).toContainText('local'); // the cursor in time has not moved
+});
+
+test('the keyboard reaches the card’s link and comes back to where it was', async ({ page }) => {
+  await openLab(page);
+  const button = page.locator('.half-local .symbol-legend').getByRole('button', { name: 'r rest length' });
+  await button.focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('link', { name: /^Lesson, section 1/ })).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(button).toBeFocused();
+  await expect(page.locator('.symbol-card')).toHaveCount(0);
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Tab');
+  await expect(button).toBeFocused();
+});
+
+test('the card and the code are clean for axe, in both languages', async ({ page }) => {
+  for (const [language, name] of [
+    ['en', 'projected springs'],
+    ['zh', '投影后的弹簧向量'],
+  ]) {
+    await open(page, `${lab}&language="${language}"`);
+    await page.locator('.half-local .in-code summary').click();
+    await page.locator('.half-local .symbol-legend button').first().focus();
+    await expect(page.getByRole('dialog', { name })).toBeVisible();
+    expect(await seriousViolations(page)).toEqual([]);
+  }
+});
+
+test.describe('with a finger', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 844 } });
+
+  test('a tap opens a card, a tap elsewhere closes it', async ({ page }) => {
+    await openLab(page);
+    await occurrences(page, '.half-local .equation-formulas', 'r').first().tap();
+    await expect(page.getByRole('dialog', { name: 'rest length' })).toBeVisible();
+    await page.locator('.half-local .symbol-legend button').last().tap();
+    await expect(page.getByRole('dialog', { name: 'positions' })).toBeVisible();
+    await page.locator('.caption').first().tap();
+    await expect(page.locator('.symbol-card')).toHaveCount(0);
+  });
+});
