@@ -40,7 +40,7 @@ function renderSpan(span: Span, key: number): ComponentChildren {
     case 'tex':
       return <Formula key={key} tex={span.text} />;
     case 'strong':
-      return <strong key={key}>{span.text}</strong>;
+      return <strong key={key}>{renderSpans(span.spans)}</strong>;
     case 'code':
       return <code key={key}>{span.text}</code>;
     case 'link':

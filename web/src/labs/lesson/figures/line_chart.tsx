@@ -116,7 +116,7 @@ function Curve({ places, dots, at }: { places: readonly Place[]; dots: boolean; 
       {dots ? (
         places.map(([x, y]) => <circle key={x} cx={x} cy={y} r={3.5} />)
       ) : (
-        <path d={`M${places.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`} />
+        <path d={places.map(([x, y], at) => `${at === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('')} />
       )}
     </g>
   );

@@ -1,3 +1,5 @@
+import { fillTemplate } from '../../../../lib/fill_template.ts';
+import { formatQuantity } from '../../../../lib/format.ts';
 import { moves } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
@@ -7,30 +9,53 @@ import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
+import { Energies } from './energies.tsx';
+import { EnoughRounds, tolerance } from './enough_rounds.tsx';
+import { PeanutButter } from './peanut_butter.tsx';
+import { StoppingRules } from './stopping_rules.tsx';
+import { WhatChanges } from './what_changes.tsx';
 import { zh } from './zh.ts';
 
-const halfSteps: FigureSettings = {
+const tornAndStitched: FigureSettings = {
   scene: 'patch',
   parameters: { iterations: 4 },
   selection: { spring: 6, vertex: 3 },
-  opening: [{ kind: 'play', steps: 4 }, { kind: 'next_half_step' }, { kind: 'next_half_step' }],
+  opening: [{ kind: 'play', steps: 9 }, { kind: 'next_half_step' }, { kind: 'next_half_step' }],
 };
 
 export function Trick() {
   const words = inLanguage({ en, zh });
-  const figure = useFigure(halfSteps);
+  const figure = useFigure(tornAndStitched);
   return (
     <>
       <Prose text={words.intro} />
+      <h3>{words.halves.title}</h3>
+      <Prose text={words.halves.text} />
       <Figure
         figure={figure}
         pictures={['torn', 'net']}
         arrows={moves}
         sliders={['k', 'iterations']}
-        caption={words.intro}
-      />
-      <Question ask={words.intro} hint={words.intro} answer={words.intro} />
-      <Sources items={{ a: words.intro }} />
+        caption={words.halves.caption}
+      >
+        <Energies figure={figure} />
+      </Figure>
+      <Question {...words.loops}>
+        <WhatChanges words={words.loops} />
+      </Question>
+      <Question {...words.peanut}>
+        <PeanutButter words={words.peanut} />
+      </Question>
+      <h3>{words.stop.title}</h3>
+      <Prose text={words.stop.text} />
+      <StoppingRules words={words.stop} />
+      <Question
+        {...words.enough}
+        answer={fillTemplate(words.enough.answer, { tolerance: formatQuantity(tolerance, 'N', 1) })}
+      >
+        <EnoughRounds words={words.enough} />
+      </Question>
+      <Sources items={words.sources} />
     </>
   );
 }
