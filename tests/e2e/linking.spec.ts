@@ -25,7 +25,7 @@ test('a symbol in a formula is marked in the other formulas and in the code, and
 }) => {
   await openLab(page);
   await page.locator('.half-local .in-code summary').click();
-  await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'd projected springs' }).focus();
+  await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'projected springs' }).focus();
   for (const place of ['.half-local .equation-formulas', '.half-global .equation-formulas', '.half-local .in-code'])
     await expect(occurrences(page, place, 'd').first()).toHaveCSS('box-shadow', marked);
   await expect(occurrences(page, '.half-local .equation-formulas', 'r').first()).not.toHaveCSS('box-shadow', marked);
@@ -50,7 +50,7 @@ test('a line of code marks its symbols in the formulas, with the keyboard alone'
 
 test('the keyboard reaches the card’s link and comes back to where it was', async ({ page }) => {
   await openLab(page);
-  const button = page.locator('.half-local .symbol-legend').getByRole('button', { name: 'r rest length' });
+  const button = page.locator('.half-local .symbol-legend').getByRole('button', { name: 'rest length' });
   await button.focus();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('link', { name: /^Lesson, section 1/ })).toBeFocused();

@@ -94,7 +94,7 @@ export function followPointing(root: HTMLElement): void {
     if (hook && detail > 0 && !isInCard(target)) pointAt(hook, 'tap');
   });
   root.addEventListener('focusin', ({ target }) => {
-    if (isInCard(target) || !(target instanceof Element) || !target.matches(':focus-visible')) return;
+    if (isInCard(target)) return;
     const hook = hookAt(target);
     if (hook) pointAt(hook, 'focus');
     else pointAway();
