@@ -1,4 +1,4 @@
-import { useSignalEffect } from '@preact/signals';
+import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { drawingTime } from '../../app/measurements.ts';
@@ -43,13 +43,18 @@ export function Stage({ actions }: { actions: Actions }) {
     };
   }, [actions]);
 
-  useSignalEffect(() => {
-    if (r.value.length === 0) return;
-    const { V, E, F, texture } = scene.value;
-    scene3D.value?.setScene({ V, E, F, texture, r: r.value });
-    const { camera } = state.peek().view;
-    if (camera) scene3D.value?.setCamera(camera);
-  });
+  // At once, where a signal effect would wait for the next picture: a large scene takes as long to be set as to be drawn.
+  useEffect(
+    () =>
+      effect(() => {
+        if (r.value.length === 0) return;
+        const { V, E, F, texture } = scene.value;
+        scene3D.value?.setScene({ V, E, F, texture, r: r.value });
+        const { camera } = state.peek().view;
+        if (camera) scene3D.value?.setCamera(camera);
+      }),
+    [],
+  );
 
   useSignalEffect(() => {
     const { view, selection } = state.value;

@@ -16,17 +16,30 @@ export function displacement(p: Float64Array, q: Float64Array, v: number): numbe
  * They depend on rest positions alone, so arrows do not jump between vertices.
  */
 export function thinned(V: Float64Array, most: number): Int32Array {
+  if (V.length / 3 <= most) return Int32Array.from({ length: V.length / 3 }, (_, v) => v);
   const extent = V.reduce((largest, coordinate) => Math.max(largest, Math.abs(coordinate)), 0);
-  let chosen = Int32Array.from({ length: V.length / 3 }, (_, v) => v);
-  for (let cell = extent / 256; chosen.length > most; cell *= 1.2) {
-    const first = new Map<string, number>();
-    for (let v = V.length / 3 - 1; v >= 0; v--) {
-      const key = [0, 1, 2].map((c) => Math.floor(V[3 * v + c] / cell)).join();
-      first.set(key, v);
-    }
-    chosen = Int32Array.from(first.values()).sort();
+  for (let cell = extent / finestCells; ; cell *= 1.2) {
+    const chosen = firstInCells(V, cell, most);
+    if (chosen) return Int32Array.from(chosen);
   }
-  return chosen;
+}
+
+/** Of the finest grid, from the origin to the farthest coordinate. */
+const finestCells = 256;
+
+/** Null, as soon as that is known, when more than `most` cells have a point. */
+function firstInCells(V: Float64Array, cell: number, most: number): number[] | null {
+  const cells = new Set<number>();
+  const first: number[] = [];
+  const along = (c: number) => Math.floor(V[c] / cell);
+  const apart = 4 * finestCells; // more than there are along an axis
+  for (let v = 0; v < V.length / 3; v++) {
+    cells.add((along(3 * v) * apart + along(3 * v + 1)) * apart + along(3 * v + 2));
+    if (cells.size === first.length) continue;
+    if (cells.size > most) return null;
+    first.push(v);
+  }
+  return first;
 }
 
 /** Writes an arrow for each of `vertices` to rows of `out` (#vertices×8, as springs are), from row v of `tails` to row v of `tips`, each #V×3. */

@@ -1,3 +1,5 @@
+import { thinned } from './displacements.ts';
+
 /** What a view should hold, and from where. */
 export interface Framing {
   /** #×3, metres. */
@@ -19,6 +21,9 @@ const seenDepth = 0.02;
 const sagShare = 0.6;
 /** How far what hangs swings on to the other side. */
 const swingShare = 0.7;
+/** How many vertices and pins are asked for the room: in large scenes so many are as good as all, and each vertex looks at each pin. */
+const mostVertices = 4000;
+const mostPins = 200;
 
 /** Where vertices and pins are. */
 export function framingOfNow(p: Float64Array, targets: Float64Array): Framing {
@@ -31,12 +36,17 @@ export function framingOfNow(p: Float64Array, targets: Float64Array): Framing {
  */
 export function framingOfFall(V: Float64Array, pinned: Int32Array): Framing {
   const flat = flatness(V);
-  const pins = Float64Array.from([...pinned].flatMap((v) => [...V.subarray(3 * v, 3 * v + 3)]));
+  const pins = rowsOf(
+    V,
+    thinned(rowsOf(V, pinned), mostPins).map((row) => pinned[row]),
+  );
   const room: number[] = [];
   if (pinned.length > 0) {
     const [alongX, , alongZ] = ranges(pins);
-    for (let v = 0; v < V.length; v += 3) {
-      const [x, y, z] = V.subarray(v, v + 3);
+    for (let v = 0; v < V.length; v += 3 * Math.ceil(V.length / (3 * mostVertices))) {
+      const x = V[v];
+      const y = V[v + 1];
+      const z = V[v + 2];
       const asideX = x - clamp(x, alongX);
       const asideZ = z - clamp(z, alongZ);
       const { distance, lowest } = reach(x, y, z, pins);
@@ -54,11 +64,15 @@ function reach(x: number, y: number, z: number, pins: Float64Array): { distance:
   let distance = Number.POSITIVE_INFINITY;
   let lowest = Number.NEGATIVE_INFINITY;
   for (let pin = 0; pin < pins.length; pin += 3) {
-    const apart = Math.hypot(pins[pin] - x, pins[pin + 1] - y, pins[pin + 2] - z);
+    const apart = Math.sqrt((pins[pin] - x) ** 2 + (pins[pin + 1] - y) ** 2 + (pins[pin + 2] - z) ** 2); // hypot is slow
     distance = Math.min(distance, apart);
     lowest = Math.max(lowest, pins[pin + 1] - apart);
   }
   return { distance, lowest };
+}
+
+function rowsOf(V: Float64Array, rows: Int32Array): Float64Array {
+  return Float64Array.from([...rows].flatMap((v) => [...V.subarray(3 * v, 3 * v + 3)]));
 }
 
 function joined(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {

@@ -79,11 +79,7 @@ export class InkQuads {
     this.data = padded.subarray(0, 4 * texels * capacity);
     this.texture = new DataTexture(padded, texelsPerRow, rows, RGBAFormat, FloatType);
     const geometry = new BufferGeometry();
-    const corners = Uint32Array.from(
-      { length: 6 * capacity },
-      (_, at) => 4 * Math.floor(at / 6) + [0, 1, 2, 2, 1, 3][at % 6],
-    );
-    geometry.setIndex(new BufferAttribute(corners, 1));
+    geometry.setIndex(new BufferAttribute(quadCorners(capacity), 1));
     const material = new ShaderMaterial({
       uniforms: { ...ink, ...uniforms, shapes: { value: this.texture } },
       defines: { TEXELS: texels, TEXELS_PER_ROW: texelsPerRow },
@@ -116,6 +112,16 @@ export class InkQuads {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
   }
+}
+
+/** #quads×6: the corners of two triangles each. In plain loops, since there may be a million of them. */
+function quadCorners(quads: number): Uint32Array {
+  const corners = new Uint32Array(6 * quads);
+  let at = 0;
+  for (let quad = 0; quad < quads; quad++) {
+    for (const corner of [0, 1, 2, 2, 1, 3]) corners[at++] = 4 * quad + corner;
+  }
+  return corners;
 }
 
 /** Quads are placed with w = 1, so that varyings run straight in screen space. */

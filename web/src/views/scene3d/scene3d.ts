@@ -33,6 +33,8 @@ export class Scene3D {
   private readonly interaction: Interaction;
   private readonly stop = new AbortController();
   private content: SceneContent | null = null;
+  /** The scene before, until this one has been drawn once: so that the shader programs stay, which both use. */
+  private outgoing: SceneContent | null = null;
   /** Whether the camera still has to be set for this scene, has been, or is the reader's. */
   private framing: 'due' | 'done' | 'reader' = 'due';
   private staged: StagedFrame | null = null;
@@ -71,7 +73,8 @@ export class Scene3D {
 
   /** Replaces the scene. Its first drawing brings all of it into view, with room to fall, unless `setCamera` comes first. */
   setScene(model: Scene3DModel): void {
-    this.content?.dispose();
+    this.outgoing?.dispose();
+    this.outgoing = this.content;
     this.content = new SceneContent(this.ink, model, () => this.callbacks.onInvalidate());
     this.interaction.hovered = null;
     this.orbitCamera.setScene(model.V);
@@ -139,6 +142,8 @@ export class Scene3D {
       this.prepareInk(content, rectangle);
       this.renderer.render(content.views[name].scene, camera);
     }
+    this.outgoing?.dispose();
+    this.outgoing = null;
   }
 
   get camera(): Camera {
@@ -183,6 +188,7 @@ export class Scene3D {
   dispose(): void {
     this.stop.abort();
     this.interaction.dispose();
+    this.outgoing?.dispose();
     this.content?.dispose();
     this.renderer.dispose();
   }
