@@ -3,7 +3,8 @@ export const contentSecurityPolicy = [
   "default-src 'self'",
   "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self' 'unsafe-inline'", // KaTeX places its boxes by style attributes
-  "img-src 'self' data: blob:", // blob: pictures that the user opens; data: cursors and masks in styles
+  "connect-src 'self' blob:", // blob: scenes that the user opens, read in a worker
+  "img-src 'self' data: blob:", // blob: their pictures; data: cursors and masks in styles
   "object-src 'none'",
   "base-uri 'none'",
   "form-action 'none'",

@@ -1,7 +1,7 @@
 import type { MadeScene, Point, Spring } from '../../scenes/rules/made_scene.ts';
 
-const cells = [20, 11, 11]; // along x, y, z: 21·12·12 = 3,024 vertices
-const cell = 0.05; // m: a beam of 1 m by 0.55 m by 0.55 m
+const beam = [20, 11, 11]; // cells along x, y, z: 21·12·12 = 3,024 vertices
+const cell = 0.05; // m: the beam is 1 m by 0.55 m by 0.55 m
 
 /** Of the six tetrahedra around the diagonal of a cube, every edge leads from a corner to one whose coordinates are larger by 0 or 1 each. */
 const edges = [
@@ -14,8 +14,8 @@ const edges = [
   [1, 1, 1],
 ];
 
-/** A beam cut into tetrahedra, a spring along every edge, held by the face x = 0: L fills as that of a solid does, far more than cloth. */
-export function tetrahedralBlock(): MadeScene {
+/** A beam, or another block, cut into tetrahedra, a spring along every edge, held by the face x = 0: L fills as that of a solid does, far more than cloth. */
+export function tetrahedralBlock(cells = beam): MadeScene {
   const vertices: Point[] = [];
   const springs: Spring[] = [];
   const inside = (corner: number[]) => corner.every((coordinate, axis) => coordinate <= cells[axis]);

@@ -53,7 +53,8 @@ void System::clear(const Parameters& parameters) {
 
 Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
   const auto status = [](bool done) { return done ? Status{} : not_positive_definite; };
-  progress_("factorising", 0);  // the plain path cannot tell more
+  const bool needs_order = fast_ && !(analysed_ && same_set(analysed_pins_, step.pinned));
+  progress_(needs_order ? "ordering" : "factorising", 0);
   if (auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
     return status(fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
                                                          step.delta_t, step.w, r, *dense));
@@ -64,8 +65,7 @@ Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
                                                           step.delta_t, step.w, r, sparse));
   }
   sparse_matrices(V, step.E, step.m, step.pinned, r, sparse);
-  if (!analysed_ || !same_set(analysed_pins_, step.pinned)) {
-    progress_("ordering", 0);
+  if (needs_order) {
     fast_->analyse(V, step.E, r, step.pinned);
     analysed_pins_ = step.pinned;
     analysed_ = true;

@@ -12,6 +12,7 @@ import { startLab } from './app/start_lab.ts';
 import { newSolver } from './app/start_solver.ts';
 import { state } from './app/state.ts';
 import { keepOffline } from './app/updates.ts';
+import { solving, work } from './app/work.ts';
 import { cameraKey } from './labs/springs/camera_keys.ts';
 import { symbolStyle } from './notation/symbol_style.ts';
 import { Deferred } from './views/deferred/deferred.tsx';
@@ -19,6 +20,7 @@ import { SymbolCard } from './views/equations/symbol_card.tsx';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
 import { Notices } from './views/notices/notices.tsx';
+import { Progress } from './views/progress/progress.tsx';
 import { UpdateOffer } from './views/update_offer/update_offer.tsx';
 import './style.css';
 
@@ -36,7 +38,9 @@ const symbolSheet = new CSSStyleSheet();
 symbolSheet.replaceSync(symbolStyle());
 document.adoptedStyleSheets.push(symbolSheet);
 
-const client = newSolver();
+const client = newSolver((progress) => {
+  solving.value = progress;
+});
 const session = new Session(client);
 const actions = new Actions(session);
 
@@ -71,6 +75,7 @@ function Page() {
         />
       )}
       <UpdateOffer />
+      <Progress actions={actions} />
       <Notices />
       <SymbolCard />
     </>
@@ -92,6 +97,7 @@ async function begin(): Promise<void> {
 function listen(): void {
   addEventListener('keydown', (event) => {
     const { target } = event;
+    if (event.key === 'Escape' && work.value) return actions.cancel();
     const typing = target instanceof Element && target.closest('input, select, textarea, summary');
     const pressing =
       target instanceof Element && target.closest('button, a') && (event.key === ' ' || event.key === 'Enter');

@@ -1,7 +1,9 @@
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Actions } from '../../../web/src/app/actions.ts';
+import { notices } from '../../../web/src/app/notices.ts';
 import type { Session } from '../../../web/src/app/session.ts';
 import { defaultState, state } from '../../../web/src/app/state.ts';
+import { reading } from '../../../web/src/app/work.ts';
 
 const actions = new Actions({} as Session); // which none of these asks
 
@@ -25,5 +27,48 @@ describe('setStoppingRule', () => {
   it('keeps ε within what a link may carry', () => {
     actions.setStoppingRule('stop_gradient', 1e9);
     expect(state.value.parameters.stop_gradient).toBe(1e3);
+  });
+});
+
+describe('while the files of a scene are being read', () => {
+  /** Reads for ever. */
+  class Reader extends EventTarget {
+    static running = 0;
+
+    constructor() {
+      super();
+      Reader.running++;
+    }
+
+    postMessage(): void {}
+
+    terminate(): void {
+      Reader.running--;
+    }
+  }
+
+  beforeEach(() => {
+    vi.stubGlobal('Worker', Reader);
+    notices.value = [];
+  });
+
+  it('cancel() ends the reading, and nothing has changed', async () => {
+    const before = state.value;
+    const opening = actions.openScene('net');
+    expect(reading.value).not.toBeNull();
+    actions.cancel();
+    await opening;
+    expect([reading.value, Reader.running, state.value]).toEqual([null, 0, before]);
+    expect(notices.value).toMatchObject([{ key: 'page.notice.cancelled' }]);
+  });
+
+  it('another scene takes the place of the one that was asked for', async () => {
+    const first = actions.openScene('net');
+    const second = actions.openScene('flag');
+    await first;
+    expect(reading.value).not.toBeNull();
+    expect(Reader.running).toBe(1);
+    actions.cancel();
+    await second;
   });
 });

@@ -3,8 +3,9 @@ import { comparison } from '../../../web/src/app/comparison.ts';
 import { notices } from '../../../web/src/app/notices.ts';
 import { Session } from '../../../web/src/app/session.ts';
 import { defaultState, dragging, frame, playing, scene as sceneSignal, state } from '../../../web/src/app/state.ts';
+import { solving } from '../../../web/src/app/work.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
-import { type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
+import { SolverCancelled, type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
 import type { MethodRequest, MethodRun, Opened, Outcome, Request } from '../../../web/src/solver/protocol.ts';
 
@@ -57,6 +58,8 @@ class FakeClient {
     else answer.resolve({ ok: true, value: { frame: paused, checkpoint: checkpoint(), r: Float64Array.of(1) } });
     await turn();
   }
+
+  readonly cancel = () => this.answers.shift()?.reject(new SolverCancelled());
 
   get unanswered(): number {
     return this.answers.length;
@@ -141,6 +144,28 @@ describe('the session', () => {
     expect(notices.value[0]).toMatchObject({ key: 'page.errors.crash', params: { reason: 'unreachable' } });
     session.order({ kind: 'next_half_step' });
     expect(client.unanswered).toBe(1);
+  });
+
+  it('gives up when told to: what was accepted is back, and nobody speaks of a crash', async () => {
+    setK(20);
+    await client.settle('ok');
+    setK(30);
+    await turn();
+    solving.value = { stage: 'factorising', fraction: 0.5, vertices: 2 };
+    session.cancel();
+    await turn();
+    expect(solving.value).toBeNull();
+    expect(state.value.parameters).toEqual({ k: 20 });
+    expect(notices.value).toMatchObject([{ kind: 'info', key: 'page.notice.cancelled' }]);
+  });
+
+  it('keeps the scene before when opening one is given up', async () => {
+    const before = state.value;
+    const opening = session.open({ ...scene, name: 'large' }, { ...state.value, scene: 'large' });
+    await turn();
+    session.cancel();
+    expect(await opening).toBe(false);
+    expect(state.value).toEqual(before);
   });
 
   it('asks nothing when only the camera, the theme or the language changes', () => {

@@ -1,7 +1,14 @@
 import { expose } from 'comlink';
-import { afterEach, describe, expect, it } from 'vitest';
-import { SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
-import type { Checkpoint, Outcome, Problem, Reply, Request } from '../../../web/src/solver/protocol.ts';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { SolverCancelled, SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
+import type {
+  Checkpoint,
+  Outcome,
+  Problem,
+  ProgressMessage,
+  Reply,
+  Request,
+} from '../../../web/src/solver/protocol.ts';
 
 const problem: Problem = { V: new Float64Array(3), E: new Int32Array(0), m: Float64Array.of(1) };
 const request = (k: number, kind: 'stay' | 'next_step' = 'stay') =>
@@ -10,16 +17,18 @@ const request = (k: number, kind: 'stay' | 'next_step' = 'stay') =>
 /** Whether new workers die as soon as a problem is opened in them. */
 let dying = false;
 
-/** Each "worker" answers with the number of the step it stands at, and dies of k = 13 as a trapped module does. */
+/** Each "worker" answers with the number of the step it stands at, dies of k = 13 as a trapped module does, and works for ever on k = 99. */
 class FakeWorker extends EventTarget {
   readonly opened: { from: Checkpoint | null; request: Request }[] = [];
   private step = 0;
   private readonly port: MessagePort;
+  private readonly inside: MessagePort;
 
   constructor() {
     super();
     const { port1, port2 } = new MessageChannel();
     this.port = port1;
+    this.inside = port2;
     expose(
       {
         start: async () => {},
@@ -31,6 +40,7 @@ class FakeWorker extends EventTarget {
         },
         run: async (asked: Request) => {
           if (asked.parameters.k === 13) throw new WebAssembly.RuntimeError('unreachable');
+          if (asked.parameters.k === 99) return new Promise(() => {});
           if (asked.command.kind === 'next_step') this.step += 1;
           return this.reply();
         },
@@ -56,6 +66,11 @@ class FakeWorker extends EventTarget {
     this.port.close();
   }
 
+  /** Posts from inside a request, as the real worker does. */
+  tell(fraction: number): void {
+    this.inside.postMessage({ progress: { stage: 'factorising', fraction, vertices: 1 } } satisfies ProgressMessage);
+  }
+
   private reply(): Outcome<Reply> {
     const { step } = this;
     return { ok: true, value: { frame: {}, checkpoint: { step } } as unknown as Reply };
@@ -63,6 +78,10 @@ class FakeWorker extends EventTarget {
 }
 
 const workers: FakeWorker[] = [];
+/** What onProgress was called with. */
+const told: number[] = [];
+/** Lets the messages that have been posted arrive. */
+const turn = () => new Promise((done) => setImmediate(done));
 const newClient = () =>
   new SolverClient({
     createWorker: () => {
@@ -71,10 +90,13 @@ const newClient = () =>
       return worker as unknown as Worker;
     },
     wasmBinary: async () => new ArrayBuffer(0),
+    onProgress: (progress) => told.push(progress.fraction),
   });
 
 afterEach(() => {
   for (const worker of workers.splice(0)) worker.terminate();
+  told.length = 0;
+  vi.useRealTimers();
 });
 
 describe('the solver’s client', () => {
@@ -115,5 +137,57 @@ describe('the solver’s client', () => {
     const client = newClient();
     await client.open(problem, request(1));
     await expect(client.run(request(13))).rejects.toThrow('unreachable');
+  });
+
+  it('passes on how far a request is', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    const asked = client.run(request(99));
+    await turn();
+    workers[0].tell(0.25);
+    workers[0].tell(0.5);
+    await turn();
+    expect(told).toEqual([0.25, 0.5]);
+    client.cancel();
+    await expect(asked).rejects.toThrow(SolverCancelled);
+  });
+
+  it('gives a request up when told to: nothing more is heard of it, and the last good state is back', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    await client.run(request(5, 'next_step'));
+    const asked = client.run(request(99));
+    await turn();
+    workers[0].tell(0.5);
+    client.cancel();
+    await expect(asked).rejects.toThrow(SolverCancelled);
+    expect(told).toEqual([]);
+    expect(workers[1].opened).toMatchObject([{ from: { step: 2 }, request: { parameters: { k: 5 } } }]);
+    expect(await client.run(request(5, 'next_step'))).toMatchObject({ ok: true, value: { checkpoint: { step: 3 } } });
+  });
+
+  it('has nothing to give up between requests', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    client.cancel();
+    await client.run(request(1));
+    expect(workers).toHaveLength(1);
+  });
+
+  it('waits as long as there are signs of life, and no longer', async () => {
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+    const client = newClient();
+    await client.open(problem, request(1));
+    const asked = client.run(request(99));
+    await turn();
+    for (const fraction of [0.1, 0.2, 0.3]) {
+      vi.advanceTimersByTime(50_000);
+      workers[0].tell(fraction);
+      await turn();
+    }
+    expect(workers).toHaveLength(1);
+    vi.advanceTimersByTime(60_000);
+    await expect(asked).rejects.toThrow('no sign of life');
+    expect(workers).toHaveLength(2);
   });
 });

@@ -7,7 +7,8 @@ import type { Language } from './messages/index.ts';
 import { language } from './messages/index.ts';
 import { dismissErrors, notify } from './notices.ts';
 import { route } from './route.ts';
-import { findScene, openedScenes, openFiles, SceneProblem } from './scene_library.ts';
+import { findScene, openedScenes, openFiles } from './scene_library.ts';
+import { SceneProblem } from './scene_problem.ts';
 import type { Session } from './session.ts';
 import {
   type Adjustable,
@@ -24,12 +25,15 @@ import {
   state,
   type ViewOptions,
 } from './state.ts';
+import { reading } from './work.ts';
+
+type Find = (signal: AbortSignal) => Promise<Scene>;
+/** What opening a scene makes of the state. */
+type Change = Parameters<Session['open']>[1];
 
 /** Everything a reader can do. The only writer of the state; views call these and nothing else. */
 export class Actions {
   private readonly session: Session;
-
-  private openings = 0;
 
   constructor(session: Session) {
     this.session = session;
@@ -132,13 +136,10 @@ export class Actions {
   }
   selectVertex(vertex: number): void {
     const { E } = scene.value;
-    const touches = (e: number) => E[2 * e] === vertex || E[2 * e + 1] === vertex;
     const { spring } = state.value.selection;
-    if (spring !== null && touches(spring)) this.change({ selection: { spring, vertex } });
-    else {
-      const first = Array.from({ length: E.length / 2 }, (_, e) => e).find(touches);
-      this.change({ selection: { spring: first ?? spring, vertex } });
-    }
+    const touches = spring !== null && (E[2 * spring] === vertex || E[2 * spring + 1] === vertex);
+    const first = Math.floor(E.indexOf(vertex) / 2); // of the springs at this vertex; negative when there is none
+    this.change({ selection: { spring: touches || first < 0 ? spring : first, vertex } });
   }
   setView(view: Partial<ViewOptions>): void {
     this.change({ view: { ...state.value.view, ...view } });
@@ -168,22 +169,12 @@ export class Actions {
 
   /** Opens a scene from files that the reader chose or dropped. */
   async openFiles(files: readonly File[]): Promise<void> {
-    dismissErrors();
-    await this.reporting(async () => {
-      await this.openScene((await openFiles(files)).name);
-    });
+    await this.openAfresh((signal) => openFiles(files, signal));
   }
 
   /** Opens a scene of the library with the scene's own parameters and pins. */
   async openScene(name: string): Promise<void> {
-    dismissErrors();
-    await this.open(name, () => ({
-      scene: name,
-      parameters: {},
-      pins: null,
-      selection: defaultState.selection,
-      view: { ...state.value.view, camera: null },
-    }));
+    await this.openAfresh((signal) => findScene(name, signal));
   }
 
   /** Goes where a link leads. What the lab already shows goes on as it stood. */
@@ -201,10 +192,13 @@ export class Actions {
 
   /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
   async restore(wanted: AppState): Promise<boolean> {
-    return this.open(wanted.scene, () => {
-      language.value = wanted.language;
-      return wanted;
-    });
+    return this.open(
+      (signal) => findScene(wanted.scene, signal),
+      () => {
+        language.value = wanted.language;
+        return wanted;
+      },
+    );
   }
 
   /** Shows in the lab what stands somewhere else on the page, at the same moment. */
@@ -214,39 +208,59 @@ export class Actions {
   ): Promise<void> {
     dismissErrors();
     this.pause();
-    const change = () => ({ scene: name, ...settings, view: { ...state.value.view, camera: null } });
-    if (await this.open(name, change, from)) route.value = { page: 'springs' };
+    const opened = await this.open(
+      (signal) => findScene(name, signal),
+      () => ({ scene: name, ...settings, view: { ...state.value.view, camera: null } }),
+      from,
+    );
+    if (opened) route.value = { page: 'springs' };
   }
 
-  /** Opens the scene of that name, unless another was asked for while its files were on their way. */
-  private async open(
-    name: string,
-    change: () => Pick<AppState, 'parameters' | 'pins' | 'selection'> & Partial<AppState>,
-    from: Checkpoint | null = null,
-  ): Promise<boolean> {
-    this.openings += 1;
-    const mine = this.openings;
-    let opened = false;
-    await this.reporting(async () => {
-      const found = await findScene(name);
-      if (mine !== this.openings) return;
-      const wanted = change();
-      const sensible = {
-        ...wanted,
-        pins: sensiblePins(found, wanted.pins),
-        selection: selectionOn(found, wanted.selection),
-      };
-      opened = await this.session.open(found, sensible, from);
-    });
-    return opened;
+  /** Gives up what the reader waits for: a scene's files, or else the solver's request. */
+  cancel(): void {
+    if (reading.value) {
+      reading.value.abort();
+      notify('info', 'page.notice.cancelled');
+    } else this.session.cancel();
   }
 
-  private async reporting(open: () => Promise<void>): Promise<void> {
+  private async openAfresh(find: Find): Promise<void> {
+    dismissErrors();
+    await this.open(find, ({ name }) => ({
+      scene: name,
+      parameters: {},
+      pins: null,
+      selection: defaultState.selection,
+      view: { ...state.value.view, camera: null },
+    }));
+  }
+
+  private async open(find: Find, change: (found: Scene) => Change, from: Checkpoint | null = null): Promise<boolean> {
+    const found = await this.read(find);
+    if (!found) return false;
+    const wanted = change(found);
+    const sensible = {
+      ...wanted,
+      pins: sensiblePins(found, wanted.pins),
+      selection: selectionOn(found, wanted.selection),
+    };
+    return this.session.open(found, sensible, from);
+  }
+
+  /** Null when the scene cannot be had, after a word about it, and when it is no longer wanted: another is, or none. */
+  private async read(find: Find): Promise<Scene | null> {
+    const mine = new AbortController();
+    reading.value?.abort();
+    reading.value = mine;
     try {
-      await open();
+      return await find(mine.signal);
     } catch (problem) {
+      if (mine.signal.aborted) return null;
       if (!(problem instanceof SceneProblem)) throw problem;
       notify('error', problem.key, problem.params);
+      return null;
+    } finally {
+      if (reading.value === mine) reading.value = null;
     }
   }
 
@@ -277,10 +291,9 @@ function sensiblePins({ m, V }: Scene, wanted: Pin[] | null): Pin[] | null {
 function selectionOn(s: Scene, { spring, vertex }: Selection): Selection {
   const springCount = s.E.length / 2;
   const held = new Set(s.pinned);
-  const hanging = Array.from({ length: springCount }, (_, e) => e).find(
-    (e) => held.has(s.E[2 * e]) !== held.has(s.E[2 * e + 1]),
-  );
-  const e = spring !== null && spring < springCount ? spring : (hanging ?? 0);
+  let hanging = 0;
+  while (hanging < springCount && held.has(s.E[2 * hanging]) === held.has(s.E[2 * hanging + 1])) hanging++;
+  const e = spring !== null && spring < springCount ? spring : hanging % springCount;
   const [i, j] = [s.E[2 * e], s.E[2 * e + 1]];
   return { spring: e, vertex: vertex !== null && vertex < s.m.length ? vertex : held.has(i) ? j : i };
 }

@@ -1,9 +1,10 @@
 import { signal } from '@preact/signals';
-import { loadScene } from '../scene/load_scene.ts';
 import type { Scene } from '../scene/scene.ts';
 import { describeSceneError, isSceneError, type SceneError } from '../scene/scene_error.ts';
-import { type MessageKey, sceneMessages } from './messages/index.ts';
+import { sceneMessages } from './messages/index.ts';
 import { notify } from './notices.ts';
+import { readScene } from './read_scene.ts';
+import { SceneProblem } from './scene_problem.ts';
 
 /** Addresses of the scenes' files as built, by file name. */
 const urls = Object.fromEntries(
@@ -31,45 +32,31 @@ export const librarySceneNames = [
 /** Scenes that the reader opened from files, for this visit. */
 export const openedScenes = signal<Scene[]>([]);
 
-/** A scene that cannot be had, as a sentence. */
-export class SceneProblem extends Error {
-  readonly key: MessageKey;
-  readonly params: Record<string, string>;
-
-  constructor(key: MessageKey, params: Record<string, string>) {
-    super(key);
-    this.key = key;
-    this.params = params;
-  }
-}
-
-/** The scene of that name, opened from files or else of the library. Throws SceneProblem. */
-export async function findScene(name: string): Promise<Scene> {
+/** The scene of that name, opened from files or else of the library. Throws SceneProblem, or the signal's reason. */
+export async function findScene(name: string, signal?: AbortSignal): Promise<Scene> {
   const opened = openedScenes.value.find((scene) => scene.name === name);
   if (opened) return opened;
   if (!librarySceneNames.some((known) => known === name)) throw new SceneProblem('page.errors.sceneUnknown', { name });
-  return trusted(await loadScene(`${name}.json`, { read: fetchText, url: (file) => urls[file] }));
+  return trusted((await readScene(`${name}.json`, urls, signal)).result);
 }
 
-/** Opens the scene among files that the reader chose or dropped: one JSON, the OBJ it names, and its picture. Throws SceneProblem. */
-export async function openFiles(files: readonly File[]): Promise<Scene> {
+/** Opens the scene among files that the reader chose or dropped: one JSON, the OBJ it names, and its picture. Throws SceneProblem, or the signal's reason. */
+export async function openFiles(files: readonly File[], signal: AbortSignal): Promise<Scene> {
   const json = files.find((file) => /\.json$/i.test(file.name));
   if (!json) throw new SceneProblem('page.errors.sceneNoJson', {});
-  const named = (name: string) => files.find((file) => file.name === name);
-  let missing = '';
-  const read = await loadScene(json.name, {
-    read: async (name) => named(name)?.text() ?? null,
-    url: (name) => {
-      const picture = named(name);
-      if (!picture) missing = name;
-      return picture ? URL.createObjectURL(picture) : null;
-    },
-  });
-  const scene = trusted(read);
-  if (missing) notify('info', 'page.notice.pictureMissing', { missing });
-  scene.name = freeName(scene.name);
-  keep(scene);
-  return scene;
+  const addresses = Object.fromEntries(files.map((file) => [file.name, URL.createObjectURL(file)]));
+  let picture: string | undefined;
+  try {
+    const { result, missingPicture } = await readScene(json.name, addresses, signal);
+    const scene = trusted(result);
+    if (missingPicture) notify('info', 'page.notice.pictureMissing', { missing: missingPicture });
+    scene.name = freeName(scene.name);
+    picture = scene.texture?.url;
+    keep(scene);
+    return scene;
+  } finally {
+    for (const address of Object.values(addresses)) if (address !== picture) URL.revokeObjectURL(address);
+  }
 }
 
 /** A name that a link can carry, and that leaves the library's own scenes reachable. */
@@ -88,13 +75,4 @@ function keep(scene: Scene): void {
 function trusted(result: Scene | SceneError): Scene {
   if (!isSceneError(result)) return result;
   throw new SceneProblem('page.errors.scene', { sentence: describeSceneError(result, sceneMessages()) });
-}
-
-async function fetchText(file: string): Promise<string | null> {
-  try {
-    const response = await fetch(urls[file]);
-    return response.ok ? await response.text() : null;
-  } catch {
-    return null; // no network; the sentence that follows names the file
-  }
 }

@@ -1,6 +1,6 @@
 import { batch, effect, untracked } from '@preact/signals';
 import type { Scene } from '../scene/scene.ts';
-import { type SolverClient, SolverCrash } from '../solver/client.ts';
+import { SolverCancelled, type SolverClient, SolverCrash } from '../solver/client.ts';
 import type { Frame } from '../solver/frame.ts';
 import type { Method, Status } from '../solver/module.ts';
 import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
@@ -23,6 +23,7 @@ import {
   selectedVertex,
   state,
 } from './state.ts';
+import { solving } from './work.ts';
 
 /** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
 const longestQueue = 4;
@@ -84,16 +85,19 @@ export class Session {
   ): Promise<boolean> {
     while (this.current) await this.current;
     let opened = false;
-    this.current = this.openNow(next, change, from).then((result) => {
-      opened = result;
-    });
-    try {
-      await this.current;
-    } finally {
-      this.current = null;
-    }
+    await this.alone(
+      this.openNow(next, change, from).then((result) => {
+        opened = result;
+      }),
+    );
     void this.pump();
     return opened;
+  }
+
+  /** Gives up the request in flight: everything stays as it was before. */
+  cancel(): void {
+    solving.value = null; // what follows is the way back
+    this.client.cancel();
   }
 
   private async openNow(
@@ -126,8 +130,7 @@ export class Session {
       }
       this.explain(outcome.status);
     } catch (reason) {
-      if (!(reason instanceof SolverCrash)) throw reason;
-      notify('error', 'page.errors.crash', { reason: reason.message });
+      this.lost(reason);
     }
     return false;
   }
@@ -143,14 +146,19 @@ export class Session {
     while (!this.current && frame.value) {
       const command = this.next();
       const method = missingMethod.value;
-      if (command) this.current = this.run(this.request(command));
-      else if (method && this.idle()) this.current = this.compare(method);
+      if (command) await this.alone(this.run(this.request(command)));
+      else if (method && this.idle()) await this.alone(this.compare(method));
       else return;
-      try {
-        await this.current;
-      } finally {
-        this.current = null;
-      }
+    }
+  }
+
+  private async alone(request: Promise<void>): Promise<void> {
+    this.current = request;
+    try {
+      await request;
+    } finally {
+      this.current = null;
+      solving.value = null;
     }
   }
 
@@ -176,7 +184,8 @@ export class Session {
     try {
       compared(asked, method, await this.client.compare(comparisonRequest(method)));
     } catch (reason) {
-      this.crashed(reason, settings);
+      this.lost(reason);
+      this.fallBack(settings);
     }
   }
 
@@ -208,7 +217,8 @@ export class Session {
         this.fallBack(settings);
       }
     } catch (reason) {
-      this.crashed(reason, settings);
+      this.lost(reason);
+      this.fallBack(settings);
     }
   }
 
@@ -217,12 +227,6 @@ export class Session {
     if (command.kind !== 'play') return;
     this.clock.spent(command.steps, milliseconds);
     playedStep.add(milliseconds / command.steps, performance.now());
-  }
-
-  private crashed(reason: unknown, settings: Pick<AppState, 'parameters' | 'pins'>): void {
-    if (!(reason instanceof SolverCrash)) throw reason;
-    notify('error', 'page.errors.crash', { reason: reason.message });
-    this.fallBack(settings);
   }
 
   /** Puts the last accepted parameters and pins back, unless it was those that failed or the reader has moved on. */
@@ -234,6 +238,13 @@ export class Session {
     this.stale = false;
     this.halted = true;
     if (p !== this.accepted.parameters || q !== this.accepted.pins) state.value = { ...state.value, ...this.accepted };
+  }
+
+  /** A request that has no outcome; the client has restored what was before it. */
+  private lost(reason: unknown): void {
+    if (reason instanceof SolverCancelled) notify('info', 'page.notice.cancelled');
+    else if (reason instanceof SolverCrash) notify('error', 'page.errors.crash', { reason: reason.message });
+    else throw reason;
   }
 
   private explain(status: Status): void {

@@ -1,12 +1,14 @@
 import wasmUrl from '#wasm/solver.wasm?url';
 import { SolverClient } from '../solver/client.ts';
+import type { Progress } from '../solver/protocol.ts';
 import { Obstacle } from './obstacle.ts';
 
 /** A solver of its own for each page; nothing is fetched before it is started or asked. */
-export function newSolver(): SolverClient {
+export function newSolver(onProgress: (progress: Progress) => void = () => {}): SolverClient {
   return new SolverClient({
     createWorker: () => new Worker(new URL('../solver/worker.ts', import.meta.url), { type: 'module' }),
     wasmBinary: fetchSolver,
+    onProgress,
   });
 }
 

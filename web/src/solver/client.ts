@@ -7,6 +7,8 @@ import type {
   Opened,
   Outcome,
   Problem,
+  Progress,
+  ProgressMessage,
   Reply,
   Request,
   SolverService,
@@ -17,13 +19,20 @@ export class SolverCrash extends Error {
   override name = 'SolverCrash';
 }
 
-/** Longer than any request the solver accepts may take; after it the worker counts as hung. */
+/** The request was given up by cancel(); what the page last showed is restored. */
+export class SolverCancelled extends Error {
+  override name = 'SolverCancelled';
+}
+
+/** A worker that shows no sign of life for so long counts as hung. The plain path, which shows none, takes half of it for the largest scenes. */
 const patience_ms = 60_000;
 
 export interface SolverClientOptions {
   createWorker: () => Worker;
   /** Asked for once a worker is needed. */
   wasmBinary: () => Promise<ArrayBuffer>;
+  /** Called while a request takes long, restoring included; never after its end. */
+  onProgress: (progress: Progress) => void;
 }
 
 /**
@@ -33,6 +42,9 @@ export interface SolverClientOptions {
 export class SolverClient {
   private worker: Worker | null = null;
   private service: SolverService | null = null;
+  /** Ends the wait for the worker's answer; null while nothing is awaited. */
+  private giveUp: ((reason: Error) => void) | null = null;
+  private patience: ReturnType<typeof setTimeout> | undefined;
   private lastGood: { problem: Problem; request: Request; checkpoint: Checkpoint } | null = null;
 
   private readonly options: SolverClientOptions;
@@ -46,14 +58,14 @@ export class SolverClient {
     await this.ready();
   }
 
-  /** Opens a problem, at rest or where `from` says, and runs the request there. On failure the one open before stays. Throws SolverCrash. */
+  /** Opens a problem, at rest or where `from` says, and runs the request there. On failure the one open before stays. Throws SolverCrash or SolverCancelled. */
   async open(problem: Problem, request: Request, from: Checkpoint | null = null): Promise<Outcome<Opened>> {
     const outcome = await this.guarded((service) => service.open(problem, request, from));
     if (outcome.ok) this.lastGood = { problem, request, checkpoint: outcome.value.checkpoint };
     return outcome;
   }
 
-  /** Runs a request on the open problem. Throws SolverCrash after restoring the last good state in a new worker. */
+  /** Runs a request on the open problem. Throws SolverCrash or SolverCancelled after restoring the last good state in a new worker. */
   async run(request: Request): Promise<Outcome<Reply>> {
     const outcome = await this.guarded((service) => service.run(request));
     if (outcome.ok && this.lastGood)
@@ -61,14 +73,19 @@ export class SolverClient {
     return outcome;
   }
 
-  /** The present time step by another method. Throws SolverCrash after restoring the last good state in a new worker. */
+  /** The present time step by another method. Throws SolverCrash or SolverCancelled after restoring the last good state in a new worker. */
   async compare(request: MethodRequest): Promise<Outcome<MethodRun>> {
     return this.guarded((service) => service.compare(request));
   }
 
-  /** Looks at the open problem. Throws SolverCrash. */
+  /** Looks at the open problem. Throws SolverCrash or SolverCancelled. */
   inspect(points: readonly Float64Array[]): Promise<Inspection> {
     return this.guarded((service) => service.inspect(points));
+  }
+
+  /** Gives up the request in flight, if there is one. Its worker is busy and hears nothing, so it is ended and replaced. */
+  cancel(): void {
+    this.giveUp?.(new SolverCancelled());
   }
 
   private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
@@ -81,28 +98,37 @@ export class SolverClient {
       } catch {
         this.stop(); // the next call tries again
       }
+      if (reason instanceof SolverCancelled) throw reason;
       throw new SolverCrash(reason instanceof Error ? reason.message : String(reason));
     }
   }
 
-  /** Rejects when the worker itself fails or nothing comes back, where comlink alone would wait for ever. */
-  private untilFailure<T>(reply: Promise<T>): Promise<T> {
-    const { worker } = this;
-    return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(`no answer in ${patience_ms / 1000} s`)), patience_ms);
-      const failed = (event: Event) => reject(new Error((event as ErrorEvent).message || 'the worker stopped'));
-      worker?.addEventListener('error', failed);
-      void reply.then(resolve, reject).finally(() => {
-        clearTimeout(timer);
-        worker?.removeEventListener('error', failed);
-      });
+  /** Rejects when the request is given up, where comlink alone would wait for ever. */
+  private async untilFailure<T>(reply: Promise<T>): Promise<T> {
+    const failure = new Promise<never>((_, reject) => {
+      this.giveUp = reject;
     });
+    this.signOfLife();
+    try {
+      return await Promise.race([reply, failure]);
+    } finally {
+      clearTimeout(this.patience);
+      this.giveUp = null;
+    }
+  }
+
+  private signOfLife(): void {
+    clearTimeout(this.patience);
+    this.patience = setTimeout(
+      () => this.giveUp?.(new Error(`no sign of life in ${patience_ms / 1000} s`)),
+      patience_ms,
+    );
   }
 
   /** The service, in a new worker if there is none, with the last good state open in it. */
   private async ready(): Promise<SolverService> {
     if (this.service) return this.service;
-    this.worker = this.options.createWorker();
+    this.worker = this.startWorker();
     // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
     const service = wrap(this.worker) as unknown as SolverService;
     await this.untilFailure(service.start(await this.options.wasmBinary()));
@@ -114,6 +140,17 @@ export class SolverClient {
     }
     this.service = service;
     return service;
+  }
+
+  private startWorker(): Worker {
+    const worker = this.options.createWorker();
+    worker.addEventListener('error', (event) => this.giveUp?.(new Error(event.message || 'the worker stopped')));
+    worker.addEventListener('message', ({ data }: MessageEvent<Partial<ProgressMessage>>) => {
+      if (worker !== this.worker || !data.progress) return; // what an ended worker had posted may still arrive
+      this.signOfLife();
+      this.options.onProgress(data.progress);
+    });
+    return worker;
   }
 
   private stop(): void {

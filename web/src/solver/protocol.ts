@@ -1,5 +1,5 @@
 import type { Frame, VertexEquation } from './frame.ts';
-import type { Method, Parameters, Status, Triplets } from './module.ts';
+import type { Method, Parameters, Stage, Status, Triplets } from './module.ts';
 
 /** What the solver needs of a scene. */
 export interface Problem {
@@ -111,6 +111,20 @@ export interface Inspection {
   iterates: Float64Array[];
   /** One for each point asked about. */
   evaluations: Evaluation[];
+}
+
+/** What a long request is at. */
+export interface Progress {
+  stage: Stage;
+  /** 0 … 1 of the stage; 0 also where that cannot be told. */
+  fraction: number;
+  /** Of the scene at work. */
+  vertices: number;
+}
+
+/** What the worker posts from inside a request, between comlink's messages: a sign of life that needs no answer. */
+export interface ProgressMessage {
+  progress: Progress;
 }
 
 /** The worker's side, as comlink exposes it. */

@@ -10,6 +10,7 @@ import type {
   Opened,
   Outcome,
   Problem,
+  Progress,
   Reply,
   Request,
 } from './protocol.ts';
@@ -21,8 +22,11 @@ const ok: Status = { code: 'ok', field: '', index: -1, value: 0 };
 export class SolverSession {
   private readonly simulation: Simulation;
 
-  constructor(module: SolverModule) {
+  constructor(module: SolverModule, onProgress: (progress: Progress) => void) {
     this.simulation = new module.Simulation();
+    this.simulation.set_progress((stage, fraction) =>
+      onProgress({ stage, fraction, vertices: this.simulation.vertex_count() }),
+    );
   }
 
   open(problem: Problem, request: Request, from: Checkpoint | null): Outcome<Opened> {

@@ -1,6 +1,15 @@
 import { expose, transfer } from 'comlink';
 import createSolver from '#wasm/solver.js';
-import type { Checkpoint, MethodRequest, Outcome, Problem, Reply, Request, SolverService } from './protocol.ts';
+import type {
+  Checkpoint,
+  MethodRequest,
+  Outcome,
+  Problem,
+  ProgressMessage,
+  Reply,
+  Request,
+  SolverService,
+} from './protocol.ts';
 import { SolverSession } from './solver_session.ts';
 
 let session: SolverSession | null = null;
@@ -24,7 +33,9 @@ function send<T extends Reply>(outcome: Outcome<T>): Outcome<T> {
 
 const service: SolverService = {
   async start(wasmBinary: ArrayBuffer) {
-    session = new SolverSession(await createSolver({ wasmBinary }));
+    session = new SolverSession(await createSolver({ wasmBinary }), (progress) =>
+      postMessage({ progress } satisfies ProgressMessage),
+    );
   },
   async open(problem: Problem, request: Request, from: Checkpoint | null) {
     return send(theSession().open(problem, request, from));

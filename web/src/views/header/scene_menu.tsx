@@ -9,7 +9,13 @@ export function SceneMenu({ actions }: { actions: Actions }) {
     <div class="scene-menu">
       <label>
         <span class="scene-menu-name">{t('page.controls.scene')}</span>{' '}
-        <select value={state.value.scene} onChange={(event) => void actions.openScene(event.currentTarget.value)}>
+        <select
+          value={state.value.scene}
+          onChange={async ({ currentTarget }) => {
+            await actions.openScene(currentTarget.value);
+            currentTarget.value = state.value.scene; // another one, when it was refused or given up
+          }}
+        >
           {librarySceneNames.map((name) => (
             <option key={name} value={name}>
               {t(`page.scenes.${name}`)}

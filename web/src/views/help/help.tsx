@@ -14,6 +14,7 @@ const keys: [string, MessageKey][] = [
   ['Shift ← → ↑ ↓', 'page.keys.turn'],
   ['+  −  0', 'page.keys.zoom'],
   ['?', 'page.keys.help'],
+  ['Esc', 'page.keys.escape'],
   ['← → ↑ ↓', 'page.keys.pinArrows'],
   ['PgUp PgDn', 'page.keys.pinPages'],
 ];
