@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useContext, useEffect, useRef } from 'preact/hooks';
+import { useContext, useEffect, useMemo, useRef } from 'preact/hooks';
 import { t } from '../../../app/messages/index.ts';
 import { holds } from '../../../app/pointing.ts';
 import type { Frame } from '../../../solver/frame.ts';
@@ -11,6 +11,7 @@ import type { FigureSession } from './figure_session.ts';
 import { FigureSlider, type SliderName } from './figure_slider.tsx';
 import { FigureTransport } from './figure_transport.tsx';
 import { type Drawing, type PictureMode, SpringPicture } from './spring_picture.tsx';
+import { useAwake } from './use_awake.ts';
 import './figure.css';
 
 interface Props {
@@ -34,15 +35,9 @@ export function Figure({ figure, pictures, arrows, behind, sliders = [], caption
   const words = lessonWords().figure;
   const refusal = figure.refusal.value;
 
-  useEffect(() => {
-    const observer = new IntersectionObserver(([{ isIntersecting }]) => {
-      figure.awake.value = isIntersecting;
-    });
-    const element = host.current as HTMLElement;
-    holds(figure)(element);
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, [figure]);
+  const itself = useMemo(() => [figure], [figure]);
+  useAwake(host, itself);
+  useEffect(() => holds(figure)(host.current), [figure]);
 
   const openInLab = () => {
     const moment = figure.forLab();

@@ -1,8 +1,8 @@
 import { t } from '../../../app/messages/index.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
-import { Icon, type IconName } from '../../../lib/icon.tsx';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
+import { TransportButton } from './transport_button.tsx';
 
 /** The clock's buttons, and where it stands. */
 export function FigureTransport({ figure }: { figure: FigureSession }) {
@@ -11,28 +11,32 @@ export function FigureTransport({ figure }: { figure: FigureSession }) {
   const atBeginning = !frame || (frame.half_step === 0 && frame.rememberedSteps === 0);
   return (
     <fieldset class="figure-transport" aria-label={t('page.transport.label')}>
-      <Move icon="reset" label={t('page.transport.reset')} onClick={() => figure.reset()} />
-      <Move
+      <TransportButton icon="reset" label={t('page.transport.reset')} onClick={() => figure.reset()} />
+      <TransportButton
         icon="previousHalfStep"
         half
         label={t('page.transport.previousHalfStep')}
         off={atBeginning}
         onClick={() => figure.order({ kind: 'previous_half_step' })}
       />
-      <Move
+      <TransportButton
         icon={playing ? 'pause' : 'play'}
         label={t(playing ? 'page.transport.pause' : 'page.transport.play')}
         onClick={() => {
           figure.playing.value = !playing;
         }}
       />
-      <Move
+      <TransportButton
         icon="nextHalfStep"
         half
         label={t('page.transport.nextHalfStep')}
         onClick={() => figure.order({ kind: 'next_half_step' })}
       />
-      <Move icon="nextStep" label={t('page.transport.nextStep')} onClick={() => figure.order({ kind: 'next_step' })} />
+      <TransportButton
+        icon="nextStep"
+        label={t('page.transport.nextStep')}
+        onClick={() => figure.order({ kind: 'next_step' })}
+      />
       <Place figure={figure} />
     </fieldset>
   );
@@ -50,22 +54,5 @@ function Place({ figure }: { figure: FigureSession }) {
     <p class="figure-place" data-phase={phase} aria-live={playing ? 'off' : 'polite'}>
       {fillTemplate(playing ? words.playing : words.place, place)}
     </p>
-  );
-}
-
-interface MoveProps {
-  icon: IconName;
-  label: string;
-  half?: boolean;
-  off?: boolean;
-  onClick: () => void;
-}
-
-function Move({ icon, label, half = false, off = false, onClick }: MoveProps) {
-  return (
-    <button type="button" aria-label={label} title={label} aria-disabled={off} onClick={off ? undefined : onClick}>
-      <Icon name={icon} />
-      {half && '½'}
-    </button>
   );
 }
