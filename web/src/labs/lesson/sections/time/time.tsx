@@ -1,9 +1,58 @@
+import type { Frame } from '../../../../solver/frame.ts';
+import type { Checkpoint } from '../../../../solver/protocol.ts';
+import { Display } from '../../display.tsx';
+import type { Arrows } from '../../figures/arrows.ts';
+import { Figure } from '../../figures/figure.tsx';
+import type { FigureSettings } from '../../figures/figure_session.ts';
+import { useFigure } from '../../figures/use_figure.ts';
 import { Prose } from '../../prose.tsx';
+import { Question } from '../../question.tsx';
+import { Sources } from '../../sources.tsx';
 import { inLanguage } from '../../text.ts';
+import { DifferenceTable } from './difference_table.tsx';
+import { straightOn } from './differences.ts';
 import { en } from './en.ts';
+import { FourSteps } from './four_steps.tsx';
+import { Trail } from './trail.tsx';
 import { zh } from './zh.ts';
+
+/** Steps long enough that their positions lie well apart. */
+const swing: FigureSettings = {
+  scene: 'single-spring-horizontal',
+  parameters: { delta_t: 0.08 },
+  selection: { spring: null, vertex: null },
+  opening: [{ kind: 'play', steps: 5 }],
+};
 
 export function Time() {
   const words = inLanguage({ en, zh });
-  return <Prose text={words.intro} />;
+  const figure = useFigure(swing);
+  const bend = ({ p }: Frame): Arrows => {
+    const { p_curr, p_prev } = figure.checkpoint() as Checkpoint; // where there is a frame, there is a moment
+    return { from: straightOn(p_curr, p_prev), to: p, symbol: 'a' };
+  };
+  return (
+    <>
+      <Prose text={words.intro} />
+      <h3>{words.differences.title}</h3>
+      <Prose text={words.differences.velocity} />
+      <Display tex={words.differences.acceleration} />
+      <Prose text={words.differences.roles} />
+      <Figure
+        figure={figure}
+        pictures={['net']}
+        arrows={bend}
+        behind={Trail}
+        sliders={['delta_t', 'k']}
+        caption={words.swing.caption}
+      >
+        <DifferenceTable figure={figure} />
+      </Figure>
+      <h3>{words.size.title}</h3>
+      <Question ask={words.size.ask} hint={words.size.hint} answer={words.size.answer}>
+        <FourSteps />
+      </Question>
+      <Sources items={words.sources} />
+    </>
+  );
 }

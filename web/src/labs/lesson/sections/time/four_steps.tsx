@@ -1,0 +1,72 @@
+import { useEffect } from 'preact/hooks';
+import { fillTemplate } from '../../../../lib/fill_template.ts';
+import { formatFixed } from '../../../../lib/format.ts';
+import type { FigureSettings } from '../../figures/figure_session.ts';
+import { LineChart } from '../../figures/line_chart.tsx';
+import { SideBySide } from '../../figures/side_by_side.tsx';
+import { useEnergies } from '../../figures/use_energies.ts';
+import { useFigures } from '../../figures/use_figures.ts';
+import { Prose } from '../../prose.tsx';
+import { inLanguage } from '../../text.ts';
+import { en } from './en.ts';
+import { steps } from './steps.ts';
+import { zh } from './zh.ts';
+
+const settings = steps.map(
+  ({ delta_t }): FigureSettings => ({
+    scene: 'triangle',
+    parameters: { delta_t },
+    selection: { spring: null, vertex: null },
+  }),
+);
+
+/** s: how long they run. */
+const duration = 5;
+
+/** One net by four lengths of the time step, in real time. */
+export function FourSteps() {
+  const words = inLanguage({ en, zh }).size;
+  const figures = useFigures(settings);
+  const energies = useEnergies(figures);
+  const names = steps.map(({ name }) => fillTemplate(words.name, { delta_t: name }));
+  const ended = energies.map((curve) => (curve.at(-1)?.[0] ?? 0) >= duration - 1e-9);
+  const running = figures.some(({ playing }) => playing.value);
+
+  useEffect(() => {
+    for (const [at, figure] of figures.entries()) if (ended[at]) figure.playing.value = false;
+  });
+
+  const reset = () => {
+    for (const figure of figures) figure.reset();
+  };
+  const toggle = () => {
+    for (const [at, figure] of figures.entries()) figure.playing.value = !running && !ended[at];
+  };
+
+  return (
+    <>
+      <SideBySide
+        figures={figures}
+        names={names}
+        readings={energies.map((curve) => {
+          const [time, gained] = curve.at(-1) ?? [0, 0];
+          return fillTemplate(words.reading, {
+            time: `${formatFixed(time, 1)} s`,
+            gained: `${formatFixed(gained, 2)} J`,
+          });
+        })}
+        running={running}
+        onToggle={toggle}
+        onReset={reset}
+      >
+        <LineChart
+          series={energies.map((points, at) => ({ name: names[at], points }))}
+          x={{ label: words.time, range: [0, duration] }}
+          y={{ label: words.energy, range: [-4, 0] }}
+          summary={words.summary}
+        />
+      </SideBySide>
+      <Prose text={words.seen} />
+    </>
+  );
+}
