@@ -1,6 +1,6 @@
 import { formatQuantity } from '../../../../lib/format.ts';
 import type { FigureSession } from '../../figures/figure_session.ts';
-import { springPulls } from './spring_pulls.ts';
+import { springPulls } from '../../figures/spring_pulls.ts';
 
 interface Props {
   figure: FigureSession;

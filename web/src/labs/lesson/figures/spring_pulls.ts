@@ -1,4 +1,4 @@
-import type { Scene } from '../../../../scene/scene.ts';
+import type { Scene } from '../../../scene/scene.ts';
 
 /** #V×2, N: what the springs pull at every vertex, x and y, k(‖p_j − p_i‖ − r) towards the other end of each. */
 export function springPulls({ E }: Pick<Scene, 'E'>, k: number, r: Float64Array, p: Float64Array): [number, number][] {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { springPulls } from '../../../../../../web/src/labs/lesson/sections/model/spring_pulls.ts';
-import { openSimulation } from '../../../../../support/open_simulation.ts';
-import { chain, net, usualParameters } from '../../../../../support/small_scenes.ts';
+import { springPulls } from '../../../../../web/src/labs/lesson/figures/spring_pulls.ts';
+import { openSimulation } from '../../../../support/open_simulation.ts';
+import { chain, net, usualParameters } from '../../../../support/small_scenes.ts';
 
 test('a spring of rest length 1, stretched to 3, pulls both ends with 2k, towards each other', () => {
   const pulls = springPulls(chain(2), 5, Float64Array.of(1), Float64Array.of(0, 0, 0, 0, 3, 0));

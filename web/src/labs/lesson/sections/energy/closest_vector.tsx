@@ -1,0 +1,71 @@
+import { formatLength, formatQuantity } from '../../../../lib/format.ts';
+import type { Frame } from '../../../../solver/frame.ts';
+import { Figure } from '../../figures/figure.tsx';
+import type { FigureSettings } from '../../figures/figure_session.ts';
+import type { Drawing } from '../../figures/spring_picture.tsx';
+import { useFigure } from '../../figures/use_figure.ts';
+import { useInspection } from '../../figures/use_inspection.ts';
+
+interface Props {
+  words: Record<'caption' | 'length' | 'rest' | 'gap' | 'fromGap' | 'fromSolver', string>;
+}
+
+const oneSpring: FigureSettings = {
+  scene: 'single-spring-horizontal',
+  selection: { spring: 0, vertex: 1 },
+  opening: [{ kind: 'play', steps: 9 }],
+};
+
+const pointsToAsk = ({ p }: Frame) => [p];
+
+/** The spring's vector, the circle of all vectors of its rest length, and the closest of them. */
+export function ClosestVector({ words }: Props) {
+  const figure = useFigure(oneSpring);
+  const seen = useInspection(figure, pointsToAsk);
+  const rest = figure.r.value[0];
+  const length = seen && lengthOfSpring(seen.frame.p);
+  const gap = length === null ? null : Math.abs(length - rest);
+  const rows: [string, string][] =
+    seen && length !== null && gap !== null
+      ? [
+          [words.length, formatLength(length)],
+          [words.rest, formatLength(rest)],
+          [words.gap, formatLength(gap)],
+          [words.fromGap, formatQuantity(0.5 * figure.parameters.value.k * gap ** 2, 'J')],
+          [words.fromSolver, formatQuantity(seen.evaluations[0].potential, 'J')],
+        ]
+      : [];
+  return (
+    <Figure figure={figure} pictures={['net']} behind={circle} sliders={['k']} caption={words.caption}>
+      <dl class="closest-numbers">
+        {rows.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+    </Figure>
+  );
+}
+
+function lengthOfSpring(p: Float64Array): number {
+  return Math.hypot(p[3] - p[0], p[4] - p[1]);
+}
+
+function circle({ figure, frame, plane }: Drawing) {
+  const { p } = frame;
+  const rest = figure.r.value[0];
+  const length = lengthOfSpring(p);
+  const along = length > 0 ? [(p[3] - p[0]) / length, (p[4] - p[1]) / length] : [1, 0];
+  const end = [p[0] + rest * along[0], p[1] + rest * along[1], 0];
+  const [fixed, free, closest] = [plane.place(p, 0), plane.place(p, 1), plane.place(end, 0)];
+  return (
+    // An inner svg clips: the circle is larger than the picture.
+    <svg width="100%" height={plane.height}>
+      <circle class="closest-circle" cx={fixed[0]} cy={fixed[1]} r={plane.length(rest)} data-about="r" />
+      <line class="closest-vector" x1={fixed[0]} y1={fixed[1]} x2={closest[0]} y2={closest[1]} data-about="d" />
+      <line class="closest-gap" x1={closest[0]} y1={closest[1]} x2={free[0]} y2={free[1]} />
+    </svg>
+  );
+}
