@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { highlighted, litThings } from '../../app/highlight.ts';
 import { t } from '../../app/messages/index.ts';
-import { cardId, type Hook, pointAway, pointed } from '../../app/pointing.ts';
+import { cardId, type Hook, type Pointed, pointAway, pointed } from '../../app/pointing.ts';
 import { sizeOf, symbolValue } from '../../app/symbol_value.ts';
 import { symbolCommand } from '../../notation/macros.ts';
 import { sectionIds } from '../../notation/sections.ts';
@@ -10,13 +10,13 @@ import { Formula } from './formula.tsx';
 
 /** The card of the symbol that is pointed at, if one is. To be put on the page once. */
 export function SymbolCard() {
-  const hook = pointed.value?.hook;
+  const place = pointed.value;
   const [id] = highlighted.value.symbols;
-  return hook?.dataset.sym && id ? <Card id={id} hook={hook} /> : null;
+  return place?.hook.dataset.sym && id ? <Card id={id} {...place} /> : null;
 }
 
 /** What a symbol is: name, meaning, shape, unit, present value, and where the lesson introduces it. Beside the place that was pointed at. */
-function Card({ id, hook }: { id: SymbolId; hook: Hook }) {
+function Card({ id, hook, by }: { id: SymbolId } & Pointed) {
   const card = useRef<HTMLDivElement>(null);
   const { unit, code, section, definition } = symbol(id);
 
@@ -51,6 +51,7 @@ function Card({ id, hook }: { id: SymbolId; hook: Hook }) {
       role="dialog"
       aria-label={t(`symbols.name.${id}`)}
       class="symbol-card"
+      data-by={by}
       onKeyDown={onKeyDown}
     >
       <p class="symbol-card-name">
