@@ -62,7 +62,7 @@ function circle({ figure, frame, plane }: Drawing) {
   const [fixed, free, closest] = [plane.place(p, 0), plane.place(p, 1), plane.place(end, 0)];
   return (
     // An inner svg clips: the circle is larger than the picture.
-    <svg width="100%" height={plane.height}>
+    <svg width="100%" height={plane.height} aria-hidden="true">
       <circle class="closest-circle" cx={fixed[0]} cy={fixed[1]} r={plane.length(rest)} data-about="r" />
       <line class="closest-vector" x1={fixed[0]} y1={fixed[1]} x2={closest[0]} y2={closest[1]} data-about="d" />
       <line class="closest-gap" x1={closest[0]} y1={closest[1]} x2={free[0]} y2={free[1]} />
