@@ -1,11 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  arrowSegments,
-  displacement,
-  interpolatePoints,
-  thinned,
-} from '../../../../web/src/views/scene3d/displacements.ts';
+import { displacement, interpolatePoints, thinned } from '../../../../web/src/views/scene3d/displacements.ts';
 
 describe('thinned', () => {
   const cloud = fc.array(fc.double({ min: -1, max: 1, noNaN: true }), { minLength: 3, maxLength: 300 }).map((row) => {
@@ -39,12 +34,6 @@ describe('thinned', () => {
     expect(corner.length / kept.length).toBeGreaterThan(0.2);
     expect(corner.length / kept.length).toBeLessThan(0.3);
   });
-});
-
-it('arrowSegments go from tails to tips of the chosen vertices', () => {
-  const out = new Float32Array(8);
-  arrowSegments(Int32Array.of(1), Float64Array.of(0, 0, 0, 1, 2, 3), Float64Array.of(0, 0, 0, 4, 5, 6), out);
-  expect([...out]).toEqual([1, 2, 3, 0, 4, 5, 6, 0]);
 });
 
 it('interpolatePoints goes straight from one net to the other', () => {

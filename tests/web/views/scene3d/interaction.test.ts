@@ -12,7 +12,7 @@ const view: DrawnView = {
   name: 'global',
   rectangle,
   points,
-  segments: Float32Array.of(-0.4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.4, 0, 0, 0),
+  springEnds: () => Float32Array.of(-0.4, 0, 0, 0, 0, 0, 0, 0, 0, 0.4, 0, 0),
   frame: {
     phase: 'accept',
     p: points,
@@ -50,7 +50,7 @@ beforeEach(() => {
 /** Where a point of space appears. */
 function placeOf(x: number, y: number, z: number): [number, number] {
   orbitCamera.setAspect(rectangle.width / rectangle.height);
-  const [screenX, screenY] = projectPoints(Float64Array.of(x, y, z), 3, worldToClip(orbitCamera.camera), rectangle);
+  const [screenX, screenY] = projectPoints(Float64Array.of(x, y, z), worldToClip(orbitCamera.camera), rectangle);
   return [screenX, screenY];
 }
 

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { LegendScales } from '../../../../web/src/views/scene3d/legend_scales.ts';
 import { lightPalette } from '../../../../web/src/views/scene3d/palette.ts';
-import { pieceLength } from '../../../../web/src/views/scene3d/spring_segments.ts';
+import { pieceLength } from '../../../../web/src/views/scene3d/spring_pieces.ts';
 import type { Stage } from '../../../../web/src/views/scene3d/stages.ts';
 import type { Scene3DOptions } from '../../../../web/src/views/scene3d/types.ts';
 

@@ -7,7 +7,7 @@ const view = { x: 0, y: 0, width: 600, height: 400 };
 
 function onScreen(camera: OrbitCamera, points: Float64Array): [number, number][] {
   camera.setAspect(view.width / view.height);
-  const screen = projectPoints(points, 3, worldToClip(camera.camera), view);
+  const screen = projectPoints(points, worldToClip(camera.camera), view);
   return Array.from({ length: points.length / 3 }, (_, v) => [screen[2 * v], screen[2 * v + 1]]);
 }
 

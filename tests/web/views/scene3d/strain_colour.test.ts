@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { packColour, parseColour } from '../../../../web/src/views/scene3d/colour.ts';
+import { parseColour } from '../../../../web/src/views/scene3d/colour.ts';
 import { darkPalette, lightPalette } from '../../../../web/src/views/scene3d/palette.ts';
-import { StrainColourTable, strainColour } from '../../../../web/src/views/scene3d/strain_colour.ts';
+import { strainColour } from '../../../../web/src/views/scene3d/strain_colour.ts';
 
 const scale = lightPalette.strain;
 const range = 0.1;
@@ -34,27 +34,4 @@ describe('strainColour', () => {
       }),
     );
   });
-});
-
-it('the table holds the colours of strainColour, at most one of its strides away', () => {
-  const table = new StrainColourTable(scale);
-  fc.assert(
-    fc.property(fc.double({ min: -0.2, max: 0.2, noNaN: true }), (strain) => {
-      const packed = table.colour(strain, range);
-      const exact = strainColour(strain, range, scale);
-      // Half a stride is 1/254 of the range; the steepest channel runs through 178 of 255 in half the range: 1.4, and half for rounding.
-      [packed >> 16, (packed >> 8) & 255, packed & 255].forEach((channel, c) => {
-        expect(Math.abs(channel - exact[c])).toBeLessThanOrEqual(2);
-      });
-    }),
-  );
-});
-
-it('packed colours survive single precision, in which they travel', () => {
-  fc.assert(
-    fc.property(fc.integer({ min: 0, max: 0xffffff }), (value) => {
-      const hex = `#${value.toString(16).padStart(6, '0')}`;
-      expect(Math.fround(packColour(parseColour(hex)))).toBe(value);
-    }),
-  );
 });

@@ -6,11 +6,6 @@ export function parseColour(hex: string): Rgb {
   return [value >> 16, (value >> 8) & 255, value & 255];
 }
 
-/** A whole number below 2²⁴, which single precision holds exactly. */
-export function packColour([red, green, blue]: Rgb): number {
-  return (red << 16) | (green << 8) | blue;
-}
-
 /** Straight between two colours in sRGB, as a CSS gradient mixes them. */
 export function mixColours(from: Rgb, to: Rgb, fraction: number): Rgb {
   return [0, 1, 2].map((c) => Math.round(from[c] + fraction * (to[c] - from[c]))) as Rgb;

@@ -1,5 +1,3 @@
-import { segmentStride } from './spring_segments.ts';
-
 /** Writes (1 − fraction) from + fraction to, each #V×3. */
 export function interpolatePoints(from: Float64Array, to: Float64Array, fraction: number, out: Float64Array): void {
   for (let c = 0; c < out.length; c++) out[c] = from[c] + fraction * (to[c] - from[c]);
@@ -40,14 +38,4 @@ function firstInCells(V: Float64Array, cell: number, most: number): number[] | n
     first.push(v);
   }
   return first;
-}
-
-/** Writes an arrow for each of `vertices` to rows of `out` (#vertices×8, as springs are), from row v of `tails` to row v of `tips`, each #V×3. */
-export function arrowSegments(vertices: Int32Array, tails: Float64Array, tips: Float64Array, out: Float32Array): void {
-  vertices.forEach((v, a) => {
-    for (let c = 0; c < 3; c++) {
-      out[segmentStride * a + c] = tails[3 * v + c];
-      out[segmentStride * a + 4 + c] = tips[3 * v + c];
-    }
-  });
 }

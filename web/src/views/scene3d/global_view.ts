@@ -1,14 +1,17 @@
 import { DirectionalLight, HemisphereLight, Scene, type Vector3 } from 'three';
-import { arrowSegments, interpolatePoints, thinned } from './displacements.ts';
+import { interpolatePoints, thinned } from './displacements.ts';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
+import type { NetTables } from './net_tables.ts';
 import { Overlay } from './overlay.ts';
 import type { Palette } from './palette.ts';
+import { joining } from './segment_ends.ts';
 import { Segments } from './segments.ts';
-import { springSegments } from './spring_segments.ts';
+import { springEnds } from './spring_pieces.ts';
 import type { Stage } from './stages.ts';
 import type { Strokes } from './strokes.ts';
 import { Surface } from './surface.ts';
+import { Table } from './table.ts';
 import type { Scene3DModel } from './types.ts';
 
 /** More arrows than this are a thicket. */
@@ -19,54 +22,68 @@ const presenceOnCloth = 0.4;
 /** The net that the linear solve stitched together, and what moved. */
 export class GlobalView {
   readonly scene = new Scene();
-  readonly segments: Segments;
   readonly overlay: Overlay;
   /** #V×3, metres: the vertices as drawn. */
   readonly points: Float64Array;
-  private readonly model: Scene3DModel;
+  private readonly E: Int32Array;
+  private readonly pointTable = new Table(3);
+  private readonly segments: Segments;
   private readonly vertices: Marks;
-  private readonly ghost: Segments;
+  /** #V×3, metres: where vertices were or will be, exaggerated. */
   private readonly ghostPoints: Float64Array;
+  private readonly ghostTable = new Table(3);
+  private readonly ghost: Segments;
+  /** #arrows×2: a vertex, twice. */
+  private readonly arrowTable = new Table(2);
   private readonly arrows: Segments;
-  private readonly arrowVertices: Int32Array;
+  /** Whether arrows come from the ghost, a place left behind, rather than point to it, a prediction. */
+  private leftGhost = false;
   private readonly surface: Surface | null;
   private readonly light = new DirectionalLight('#ffffff', 1.9);
 
-  constructor(ink: Ink, model: Scene3DModel, onTexture: () => void) {
-    this.model = model;
+  constructor(ink: Ink, model: Scene3DModel, tables: NetTables, onTexture: () => void) {
+    const { pointTable, ghostTable, arrowTable } = this;
     const vertexCount = model.V.length / 3;
+    const springCount = model.r.length;
+    const ends = joining(tables.springs, pointTable, pointTable);
+    const moved = thinned(model.V, mostArrows);
+    arrowTable.set([...moved].flatMap((vertex) => [vertex, vertex]));
+    this.E = model.E;
     this.points = model.V.slice();
     this.ghostPoints = model.V.slice();
-    this.arrowVertices = thinned(model.V, mostArrows);
-    this.segments = new Segments(ink, model.r.length, 'net');
-    this.vertices = new Marks(ink, vertexCount, 'disc', 'net');
-    this.ghost = new Segments(ink, model.r.length, 'ghost');
-    this.arrows = new Segments(ink, this.arrowVertices.length, 'arrow');
+    this.segments = new Segments(ink, 'net', springCount, ends);
+    this.vertices = new Marks(ink, 'net', vertexCount, 'disc', pointTable);
+    this.ghost = new Segments(ink, 'ghost', springCount, joining(tables.springs, ghostTable, ghostTable));
+    this.arrows = new Segments(ink, 'arrow', moved.length, joining(arrowTable, pointTable, ghostTable));
     this.surface = model.F.length > 0 ? new Surface(model, onTexture) : null;
-    this.overlay = new Overlay(ink, vertexCount);
+    this.overlay = new Overlay(ink, vertexCount, tables, pointTable, ends);
     this.scene.add(new HemisphereLight('#ffffff', '#c4c8d0', 1.7), this.light, this.light.target);
     this.scene.add(this.ghost.mesh, this.segments.mesh, this.vertices.mesh, this.arrows.mesh, this.overlay.group);
     if (this.surface) this.scene.add(this.surface.mesh);
   }
 
-  setStyle(palette: Palette, strokes: Strokes): void {
+  setStyle(palette: Palette, strokes: Strokes, showSprings: boolean): void {
     const { background } = palette;
-    const spring = { width: strokes.spring };
-    this.ghost.setStyle({ width: strokes.ghost });
+    const clothShown = this.surface?.mesh.visible ?? false;
+    const spring = { width: strokes.spring, colour: palette.spring };
+    this.segments.mesh.visible = showSprings || !clothShown;
+    this.vertices.mesh.visible = this.segments.mesh.visible && strokes.vertex > 0;
+    this.ghost.setStyle({ width: strokes.ghost, colour: palette.ghost });
     this.segments.setStyle(
-      this.surface?.mesh.visible
-        ? { ...spring, presence: presenceOnCloth }
-        : { ...spring, halo: strokes.halo, haloColour: background },
+      clothShown ? { ...spring, presence: presenceOnCloth } : { ...spring, halo: strokes.halo, haloColour: background },
     );
     this.vertices.setStyle({ radius: strokes.vertex, halo: 0, colour: palette.vertex, haloColour: background });
     this.arrows.setStyle({
       width: strokes.arrow,
+      colour: palette.arrow,
       head: strokes.arrowHead,
+      backwards: this.leftGhost,
       shortest: 2,
       halo: 1,
       haloColour: background,
     });
     this.overlay.setStyle(palette, strokes, spring);
+    this.surface?.setColour(palette.cloth);
   }
 
   /** Soft light that goes with the eye, so that no side of the cloth is ever black. */
@@ -75,50 +92,35 @@ export class GlobalView {
     this.light.position.y += 0.5 * eye.length();
   }
 
-  update(
-    stage: Stage,
-    palette: Palette,
-    strokes: Strokes,
-    exaggeration: number | null,
-    shown: { springs: boolean; surface: boolean },
-  ): void {
+  update(stage: Stage, exaggeration: number | null, showSurface: boolean): void {
     interpolatePoints(stage.from, stage.to, stage.move, this.points);
-    const showSurface = this.surface !== null && shown.surface;
-    this.updateSprings(palette, strokes, shown.springs || !showSurface);
-    this.updateMoves(stage, palette, exaggeration);
+    this.pointTable.set(this.points);
+    this.updateMoves(stage, exaggeration);
     if (!this.surface) return;
     this.surface.mesh.visible = showSurface;
-    if (showSurface) this.surface.update(this.points, palette.cloth);
-  }
-
-  private updateSprings(palette: Palette, strokes: Strokes, visible: boolean): void {
-    this.segments.mesh.visible = visible;
-    this.vertices.mesh.visible = visible && strokes.vertex > 0;
-    springSegments(this.points, this.model.E, this.segments.data);
-    this.segments.fill(palette.spring);
-    this.segments.commit();
-    this.vertices.moveTo(this.points);
+    if (showSurface) this.surface.update(this.points);
   }
 
   /** Ghost and arrows: each vertex's way from or to where it was or will be, `exaggeration` times as long. */
-  private updateMoves({ ghost, to, reveal, towardsGhost }: Stage, palette: Palette, exaggeration: number | null): void {
+  private updateMoves({ ghost, to, reveal, towardsGhost }: Stage, exaggeration: number | null): void {
     const { points, ghostPoints } = this;
     const moves = ghost !== null && exaggeration !== null;
     this.ghost.mesh.visible = moves;
     this.arrows.mesh.visible = moves;
     if (!moves) return;
     for (let c = 0; c < points.length; c++) ghostPoints[c] = points[c] + reveal * exaggeration * (ghost[c] - to[c]);
-    springSegments(ghostPoints, this.model.E, this.ghost.data);
-    this.ghost.fill(palette.ghost);
-    this.ghost.commit();
-    const [tails, tips] = towardsGhost ? [points, ghostPoints] : [ghostPoints, points];
-    arrowSegments(this.arrowVertices, tails, tips, this.arrows.data);
-    this.arrows.fill(palette.arrow);
-    this.arrows.commit();
+    this.ghostTable.set(ghostPoints);
+    this.leftGhost = !towardsGhost;
+  }
+
+  /** #E×6, metres: where the springs are drawn. */
+  springEnds(): Float32Array {
+    return springEnds(this.points, this.E);
   }
 
   dispose(): void {
     for (const part of [this.ghost, this.segments, this.vertices, this.arrows, this.overlay]) part.dispose();
+    for (const table of [this.pointTable, this.ghostTable, this.arrowTable]) table.dispose();
     this.surface?.dispose();
   }
 }

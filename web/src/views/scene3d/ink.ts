@@ -2,16 +2,14 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
-  DataTexture,
   DoubleSide,
-  FloatType,
   type IUniform,
   LinearSRGBColorSpace,
   Mesh,
-  RGBAFormat,
   ShaderMaterial,
   Vector2,
 } from 'three';
+import { readTable } from './table.ts';
 
 /** Uniforms that all strokes and marks share; set before each view is drawn. */
 export interface Ink extends Record<string, IUniform> {
@@ -40,49 +38,35 @@ export function createInk(): Ink {
 
 /** The ink shaders write sRGB themselves, so three must keep their colours as they are. */
 export function setInkColour(colour: Color, hex: string): void {
-  colour.setStyle(hex, LinearSRGBColorSpace);
+  colour.setHex(Number.parseInt(hex.slice(1), 16), LinearSRGBColorSpace);
 }
 
 /** Each is drawn over those before it; only what is in the net hides one another by depth. */
 const layers = ['ghost', 'net', 'highlight', 'arrow', 'pin'] as const;
 export type Layer = (typeof layers)[number];
 
-const texelsPerRow = 1024;
-
 /**
- * Flat shapes of a size in pixels, one quad each. The quads have no vertex attributes: they read their shapes from a texture, which every
+ * Flat shapes of a size in pixels, one quad each. The quads have no vertex attributes: shaders read from tables what they need, which every
  * graphics card (and a software renderer) draws much faster than as many instances of four vertices.
  * Everything is opaque, smoothed by alpha-to-coverage, so that nothing needs sorting.
  */
 export class InkQuads {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  /** capacity×(4·texels). */
-  readonly data: Float32Array;
-  private readonly capacity: number;
-  private readonly texels: number;
-  private readonly texture: DataTexture;
+  private readonly first = { value: 0 };
 
-  /** `vertexMain` reads `texel(0 … texels − 1)` and calls `place`, `fragmentMain` calls `paint`. */
+  /** `vertexMain` draws the shape number `shapeIndex()` and calls `place`, `fragmentMain` calls `paint`. */
   constructor(
     ink: Ink,
     layer: Layer,
     capacity: number,
-    texels: number,
     uniforms: Record<string, IUniform>,
     vertexMain: string,
     fragmentMain: string,
   ) {
-    this.capacity = capacity;
-    this.texels = texels;
-    const rows = Math.max(1, Math.ceil((capacity * texels) / texelsPerRow));
-    const padded = new Float32Array(4 * texelsPerRow * rows);
-    this.data = padded.subarray(0, 4 * texels * capacity);
-    this.texture = new DataTexture(padded, texelsPerRow, rows, RGBAFormat, FloatType);
     const geometry = new BufferGeometry();
     geometry.setIndex(new BufferAttribute(quadCorners(capacity), 1));
     const material = new ShaderMaterial({
-      uniforms: { ...ink, ...uniforms, shapes: { value: this.texture } },
-      defines: { TEXELS: texels, TEXELS_PER_ROW: texelsPerRow },
+      uniforms: { ...ink, ...uniforms, first: this.first },
       vertexShader: inkVertexShader + vertexMain,
       fragmentShader: inkFragmentShader + fragmentMain,
       side: DoubleSide,
@@ -95,20 +79,13 @@ export class InkQuads {
     this.mesh.renderOrder = layers.indexOf(layer) - layers.indexOf('net'); // a cloth, too, has 0
   }
 
-  /** To be called when `data` has changed: draws its first `count` shapes, and copies no more than those. */
-  commit(count = this.capacity): void {
+  /** Which shapes are drawn: `count` of them, at most the capacity, from number `first` on; all unless told. */
+  show(first: number, count: number): void {
+    this.first.value = first;
     this.mesh.geometry.setDrawRange(0, 6 * count);
-    const used = 4 * this.texels * count;
-    const row = 4 * texelsPerRow;
-    this.texture.clearUpdateRanges();
-    if (count < this.capacity) {
-      for (let at = 0; at < used; at += row) this.texture.addUpdateRange(at, Math.min(row, used - at));
-    }
-    this.texture.needsUpdate = count > 0;
   }
 
   dispose(): void {
-    this.texture.dispose();
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
   }
@@ -126,7 +103,8 @@ function quadCorners(quads: number): Uint32Array {
 
 /** Quads are placed with w = 1, so that varyings run straight in screen space. */
 const inkVertexShader = /* glsl */ `
-  uniform highp sampler2D shapes;
+  ${readTable}
+  uniform int first;
   uniform vec2 viewport;
   uniform float pixelRatio;
   uniform float fadeFrom;
@@ -136,10 +114,7 @@ const inkVertexShader = /* glsl */ `
   varying float fade;
   varying float haloPush;
 
-  vec4 texel(int index) {
-    int at = gl_VertexID / 4 * TEXELS + index;
-    return texelFetch(shapes, ivec2(at % TEXELS_PER_ROW, at / TEXELS_PER_ROW), 0);
-  }
+  int shapeIndex() { return first + gl_VertexID / 4; }
 
   /** ±1 along the shape and across it. */
   vec2 corner() { return 2.0 * vec2(gl_VertexID / 2 % 2, gl_VertexID % 2) - 1.0; }

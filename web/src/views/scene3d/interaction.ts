@@ -3,7 +3,6 @@ import { Gestures } from './gestures.ts';
 import type { OrbitCamera } from './orbit_camera.ts';
 import { nearestPoint, nearestSegment, tolerancesFor } from './picking.ts';
 import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';
-import { segmentStride } from './spring_segments.ts';
 import type { Hit, Rectangle, Scene3DCallbacks, Scene3DFrame, ViewName } from './types.ts';
 
 /** A view as it was last drawn, for pointers to find things in. */
@@ -12,8 +11,8 @@ export interface DrawnView {
   rectangle: Rectangle;
   /** #V×3, metres. */
   points: Float64Array;
-  /** #E×8, as spring_segments.ts writes them. */
-  segments: Float32Array;
+  /** #E×6, metres: both ends of every spring. */
+  springEnds(): Float32Array;
   frame: Scene3DFrame;
   /** CSS pixels of a typical spring. */
   springPixels: number;
@@ -83,20 +82,20 @@ export class Interaction {
     const pin = this.pickPin(view, x, y, pointerType);
     if (pin !== null) return { view: view.name, kind: 'vertex', index: view.frame.pinned[pin] };
     const tolerance = tolerancesFor(pointerType, view.springPixels);
-    const vertex = nearestPoint(this.onScreen(view, view.points, 3), x, y, tolerance.vertex);
+    const vertex = nearestPoint(this.onScreen(view, view.points), x, y, tolerance.vertex);
     if (vertex !== null) return { view: view.name, kind: 'vertex', index: vertex };
-    const spring = nearestSegment(this.onScreen(view, view.segments, segmentStride / 2), x, y, tolerance.spring);
+    const spring = nearestSegment(this.onScreen(view, view.springEnds()), x, y, tolerance.spring);
     return spring === null ? null : { view: view.name, kind: 'spring', index: spring };
   }
 
   private pickPin(view: DrawnView, x: number, y: number, pointerType: string): number | null {
     const tolerance = tolerancesFor(pointerType, view.springPixels);
-    return nearestPoint(this.onScreen(view, view.frame.targets, 3), x, y, tolerance.pin);
+    return nearestPoint(this.onScreen(view, view.frame.targets), x, y, tolerance.pin);
   }
 
-  private onScreen(view: DrawnView, points: Float64Array | Float32Array, stride: number): Float32Array {
+  private onScreen(view: DrawnView, points: Float64Array | Float32Array): Float32Array {
     this.orbitCamera.setAspect(view.rectangle.width / view.rectangle.height);
-    return projectPoints(points, stride, worldToClip(this.orbitCamera.camera), view.rectangle);
+    return projectPoints(points, worldToClip(this.orbitCamera.camera), view.rectangle);
   }
 
   private grab(x: number, y: number, pointerType: string): boolean {

@@ -1,7 +1,7 @@
 import { exaggerations } from '../../app/limits.ts';
 import { displacement } from './displacements.ts';
 import { quantile, settleAbove, settleBelow, strainRanges } from './exaggeration.ts';
-import { springLength, springStrain } from './spring_segments.ts';
+import { springLength, strain } from './spring_pieces.ts';
 import type { Stage } from './stages.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
@@ -42,7 +42,10 @@ export class LegendScales {
   private chooseGapFactor(torn: Float64Array, pixelsPerMetre: number): number {
     const { E, r } = this.model;
     const gap = (e: number) => Math.abs(springLength(torn, E, e) - r[e]);
-    const share = (e: number) => (gap(e) === 0 ? 0 : gap(e) / springLength(torn, E, e));
+    const share = (e: number) => {
+      const l = springLength(torn, E, e);
+      return l === r[e] ? 0 : Math.abs(l - r[e]) / l;
+    };
     const typical = quantile(r.length, gap, typically) * pixelsPerMetre;
     const strong = quantile(r.length, share, strongly);
     this.gapFactor = settleBelow(Math.min(gapPixels / typical, gapShare / strong), this.gapFactor, exaggerations);
@@ -58,7 +61,7 @@ export class LegendScales {
   /** What is strained most has full colour. */
   private chooseStrainRange(torn: Float64Array): number {
     const { E, r } = this.model;
-    const strong = quantile(r.length, (e) => Math.abs(springStrain(torn, E, r, e)), strongly);
+    const strong = quantile(r.length, (e) => Math.abs(strain(springLength(torn, E, e), r[e])), strongly);
     this.strainRange = settleBelow(strong, this.strainRange, strainRanges);
     return this.strainRange;
   }

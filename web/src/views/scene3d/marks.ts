@@ -1,5 +1,6 @@
 import { Color } from 'three';
 import { type Ink, InkQuads, type Layer, setInkColour } from './ink.ts';
+import type { Table } from './table.ts';
 
 /** Signed distances in device pixels from `point`, of a shape of the given radius. */
 const shapes = {
@@ -8,12 +9,13 @@ const shapes = {
   ring: 'abs(length(point) - radius * pixelRatio) - 1.25 * pixelRatio',
 };
 
-/** Points of a size in pixels. */
+/** Points of a size in pixels, one at each row of a table of points (#×3, metres). */
 export class Marks extends InkQuads {
   private readonly uniforms;
 
-  constructor(ink: Ink, capacity: number, shape: keyof typeof shapes, layer: Layer) {
+  constructor(ink: Ink, layer: Layer, capacity: number, shape: keyof typeof shapes, points: Table) {
     const uniforms = {
+      points: points.uniform,
       radius: { value: 1 },
       halo: { value: 0 },
       haloColour: { value: new Color() },
@@ -21,7 +23,7 @@ export class Marks extends InkQuads {
       presence: { value: 1 },
     };
     const paintShape = `void main() { paint(${shapes[shape]}, colour); }`;
-    super(ink, layer, capacity, 1, uniforms, vertexMain, fragmentDeclarations + paintShape);
+    super(ink, layer, capacity, uniforms, vertexMain, fragmentDeclarations + paintShape);
     this.uniforms = uniforms;
   }
 
@@ -32,22 +34,15 @@ export class Marks extends InkQuads {
     setInkColour(this.uniforms.colour.value, style.colour);
     setInkColour(this.uniforms.haloColour.value, style.haloColour);
   }
-
-  /** Puts them at rows of points (#×3, metres), one at each. */
-  moveTo(points: Float64Array): void {
-    for (let mark = 0; mark < points.length / 3; mark++) {
-      for (let c = 0; c < 3; c++) this.data[4 * mark + c] = points[3 * mark + c];
-    }
-    this.commit(points.length / 3);
-  }
 }
 
 const vertexMain = /* glsl */ `
+  uniform sampler2D points;
   uniform float radius;
   varying vec2 point;
 
   void main() {
-    vec3 viewCentre = (modelViewMatrix * vec4(texel(0).xyz, 1.0)).xyz;
+    vec3 viewCentre = (modelViewMatrix * vec4(row(points, shapeIndex()).xyz, 1.0)).xyz;
     if (viewCentre.z > -nearPlane()) { hide(); return; }
     point = corner() * ((radius + halo + 2.0) * pixelRatio + 1.0);
     place(toPixels(viewCentre) + point, viewCentre, 0.5 * haloDepth);

@@ -1,11 +1,13 @@
 import { Group } from 'three';
+import type { Glsl } from './glsl.ts';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
+import type { NetTables } from './net_tables.ts';
 import type { Palette } from './palette.ts';
+import { joining } from './segment_ends.ts';
 import { type SegmentStyle, Segments } from './segments.ts';
-import { segmentStride } from './spring_segments.ts';
 import type { Strokes } from './strokes.ts';
-import type { Scene3DFrame } from './types.ts';
+import type { Table } from './table.ts';
 
 /** A spring or a vertex to point out; both or neither may be. */
 export interface Highlighted {
@@ -25,11 +27,12 @@ export class Overlay {
   private readonly selected: Highlight;
   private readonly hovered: Highlight;
 
-  constructor(ink: Ink, vertexCount: number) {
-    this.pins = new Marks(ink, vertexCount, 'diamond', 'pin');
-    this.leashes = new Segments(ink, vertexCount, 'arrow');
-    this.hovered = new Highlight(ink);
-    this.selected = new Highlight(ink);
+  /** `points` #V×3 and `springEnds` as this view draws them. */
+  constructor(ink: Ink, vertexCount: number, tables: NetTables, points: Table, springEnds: Glsl) {
+    this.pins = new Marks(ink, 'pin', vertexCount, 'diamond', tables.targets);
+    this.leashes = new Segments(ink, 'arrow', vertexCount, joining(tables.pins, points, tables.targets));
+    this.hovered = new Highlight(ink, points, springEnds);
+    this.selected = new Highlight(ink, points, springEnds);
     this.group.add(this.hovered.group, this.selected.group, this.leashes.mesh, this.pins.mesh);
   }
 
@@ -37,30 +40,16 @@ export class Overlay {
   setStyle(palette: Palette, strokes: Strokes, spring: SegmentStyle): void {
     const { background, pin } = palette;
     this.pins.setStyle({ radius: strokes.pin, halo: strokes.pinHalo, colour: pin, haloColour: background });
-    this.leashes.setStyle(leash);
-    this.leashes.fill(pin);
+    this.leashes.setStyle({ ...leash, colour: pin });
     this.selected.setStyle(palette, strokes, { ...spring, width: spring.width + 1 }, 3);
     this.hovered.setStyle(palette, strokes, spring, 1.5);
   }
 
-  /** `segments` #E×8 and `points` #V×3 as drawn in this view. */
-  update(
-    { pinned, targets }: Scene3DFrame,
-    segments: Float32Array,
-    points: Float64Array,
-    selected: Highlighted,
-    hovered: Highlighted,
-  ): void {
-    this.pins.moveTo(targets);
-    pinned.forEach((v, row) => {
-      for (let c = 0; c < 3; c++) {
-        this.leashes.data[segmentStride * row + c] = points[3 * v + c];
-        this.leashes.data[segmentStride * row + 4 + c] = targets[3 * row + c];
-      }
-    });
-    this.leashes.commit(pinned.length);
-    this.selected.update(segments, points, selected);
-    this.hovered.update(segments, points, hovered);
+  show(pinCount: number, selected: Highlighted, hovered: Highlighted): void {
+    this.pins.show(0, pinCount);
+    this.leashes.show(0, pinCount);
+    this.selected.show(selected);
+    this.hovered.show(hovered);
   }
 
   dispose(): void {
@@ -73,32 +62,23 @@ class Highlight {
   private readonly spring: Segments;
   private readonly ring: Marks;
 
-  constructor(ink: Ink) {
-    this.spring = new Segments(ink, 1, 'highlight');
-    this.ring = new Marks(ink, 1, 'ring', 'highlight');
+  constructor(ink: Ink, points: Table, springEnds: Glsl) {
+    this.spring = new Segments(ink, 'highlight', 1, springEnds);
+    this.ring = new Marks(ink, 'highlight', 1, 'ring', points);
     this.group.add(this.spring.mesh, this.ring.mesh);
   }
 
   /** `weight`: CSS pixels of the glow. */
   setStyle({ selected, glow }: Palette, strokes: Strokes, spring: SegmentStyle, weight: number): void {
-    this.spring.setStyle({ ...spring, halo: weight, haloColour: glow });
-    this.spring.fill(selected);
+    this.spring.setStyle({ ...spring, colour: selected, halo: weight, haloColour: glow });
     this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: weight, colour: selected, haloColour: glow });
   }
 
-  update(segments: Float32Array, points: Float64Array, { spring, vertex }: Highlighted): void {
+  show({ spring, vertex }: Highlighted): void {
     this.spring.mesh.visible = spring !== null;
-    if (spring !== null) {
-      const { data } = this.spring;
-      const row = segmentStride * spring;
-      data.set(segments.subarray(row, row + 3));
-      data.set(segments.subarray(row + 4, row + 7), 4);
-      this.spring.commit();
-    }
     this.ring.mesh.visible = vertex !== null;
-    if (vertex !== null) {
-      this.ring.moveTo(points.subarray(3 * vertex, 3 * vertex + 3));
-    }
+    if (spring !== null) this.spring.show(spring, 1);
+    if (vertex !== null) this.ring.show(vertex, 1);
   }
 
   dispose(): void {

@@ -6,19 +6,11 @@ export function worldToClip(camera: Camera): Matrix4 {
   return new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 }
 
-/**
- * Where points (#×stride, of which the first three are metres) appear in a view, as #×2 CSS pixels of the canvas;
- * NaN behind the camera, which is nearest to nothing.
- */
-export function projectPoints(
-  points: Float64Array | Float32Array,
-  stride: number,
-  matrix: Matrix4,
-  view: Rectangle,
-): Float32Array {
+/** Where points (#×3, metres) appear in a view, as #×2 CSS pixels of the canvas; NaN behind the camera, which is nearest to nothing. */
+export function projectPoints(points: Float64Array | Float32Array, matrix: Matrix4, view: Rectangle): Float32Array {
   const m = matrix.elements;
-  const screen = new Float32Array((points.length / stride) * 2);
-  for (let from = 0, to = 0; from < points.length; from += stride, to += 2) {
+  const screen = new Float32Array((points.length / 3) * 2);
+  for (let from = 0, to = 0; from < points.length; from += 3, to += 2) {
     const x = points[from];
     const y = points[from + 1];
     const z = points[from + 2];

@@ -181,7 +181,7 @@ export class Scene3D {
     const { width, height } = viewport.rectangle;
     const point = this.content.views[name].points.slice(3 * vertex, 3 * vertex + 3);
     this.orbitCamera.setAspect(width / height);
-    const [x, y] = projectPoints(point, 3, worldToClip(this.orbitCamera.camera), viewport.rectangle);
+    const [x, y] = projectPoints(point, worldToClip(this.orbitCamera.camera), viewport.rectangle);
     return Number.isNaN(x) ? null : { x, y };
   }
 
@@ -227,8 +227,8 @@ export class Scene3D {
     const drawn = this.drawn();
     if (!viewport || !drawn) return null;
     const { content, staged } = drawn;
-    const { points, segments } = content.views[viewport.name];
+    const view = content.views[viewport.name];
     const springPixels = content.typicalRestLength * this.orbitCamera.pixelsPerMetre(this.viewports.height);
-    return { ...viewport, points, segments: segments.data, frame: staged.frame, springPixels };
+    return { ...viewport, points: view.points, springEnds: () => view.springEnds(), frame: staged.frame, springPixels };
   }
 }

@@ -4,7 +4,7 @@ import { GlobalView } from './global_view.ts';
 import type { Ink } from './ink.ts';
 import { LegendScales } from './legend_scales.ts';
 import { LocalView } from './local_view.ts';
-import type { Palette } from './palette.ts';
+import { NetTables } from './net_tables.ts';
 import type { Stage, StagedFrame } from './stages.ts';
 import { type Strokes, strokesFor } from './strokes.ts';
 import type { Hit, Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
@@ -16,20 +16,25 @@ export class SceneContent {
   readonly typicalRestLength: number;
   /** #V×3, metres. */
   readonly V: Float64Array;
+  private readonly tables: NetTables;
   private readonly scales: LegendScales;
   private strokes = strokesFor(0);
   private springPixels = 0;
-  /** What the large buffers hold. */
-  private shown: [Stage, Palette, Strokes, boolean, boolean, Scene3DLegend] | null = null;
+  /** What the tables hold. */
+  private shown: { stage: Stage; legend: Scene3DLegend; showSurface: boolean } | null = null;
 
   constructor(ink: Ink, model: Scene3DModel, onTexture: () => void) {
-    this.views = { local: new LocalView(ink, model), global: new GlobalView(ink, model, onTexture) };
+    this.tables = new NetTables(model.E);
+    this.views = {
+      local: new LocalView(ink, model, this.tables),
+      global: new GlobalView(ink, model, this.tables, onTexture),
+    };
     this.scales = new LegendScales(model);
     this.typicalRestLength = quantile(model.r.length, (e) => model.r[e], 0.5);
     this.V = model.V;
   }
 
-  /** Makes both views ready to be drawn; writes the large buffers only when what they hold has changed. */
+  /** Makes both views ready to be drawn; writes and sends tables only when what they hold has changed. */
   refresh(
     { frame, stage }: StagedFrame,
     options: Scene3DOptions,
@@ -41,23 +46,22 @@ export class SceneContent {
     const { palette, showSprings, showSurface, selectedSpring, selectedVertex } = options;
     const strokes = this.strokesAt(this.typicalRestLength * pixelsPerMetre);
     const legend = this.scales.choose(stage, options, pixelsPerMetre);
-    const wanted: NonNullable<typeof this.shown> = [stage, palette, strokes, showSprings, showSurface, legend];
-    if (!wanted.every((part, at) => part === this.shown?.[at])) {
-      local.update(stage, palette, strokes, legend);
-      const visible = { springs: showSprings, surface: showSurface };
-      global.update(stage, palette, strokes, legend.globalExaggeration, visible);
-      this.shown = wanted;
+    const { shown } = this;
+    if (stage !== shown?.stage || legend !== shown.legend || showSurface !== shown.showSurface) {
+      this.tables.setPins(frame);
+      local.update(stage, legend);
+      global.update(stage, legend.globalExaggeration, showSurface);
+      this.shown = { stage, legend, showSurface };
     }
+    local.setStyle(palette, strokes);
+    global.setStyle(palette, strokes, showSprings);
+    global.lightFrom(eye);
     const selected = { spring: selectedSpring, vertex: selectedVertex };
     const pointedAt = {
       spring: hovered?.kind === 'spring' ? hovered.index : null,
       vertex: hovered?.kind === 'vertex' ? hovered.index : null,
     };
-    for (const view of [local, global]) {
-      view.setStyle(palette, strokes);
-      view.overlay.update(frame, view.segments.data, view.points, selected, pointedAt);
-    }
-    global.lightFrom(eye);
+    for (const { overlay } of [local, global]) overlay.show(frame.pinned.length, selected, pointedAt);
     return legend;
   }
 
@@ -71,5 +75,6 @@ export class SceneContent {
   dispose(): void {
     this.views.local.dispose();
     this.views.global.dispose();
+    this.tables.dispose();
   }
 }

@@ -1,15 +1,17 @@
 import { Color } from 'three';
-import { packColour, parseColour } from './colour.ts';
+import type { Glsl } from './glsl.ts';
 import { type Ink, InkQuads, type Layer, setInkColour } from './ink.ts';
-import { segmentStride } from './spring_segments.ts';
 
 /** Lengths in CSS pixels; what is not given is not there. */
 export interface SegmentStyle {
   width: number;
+  /** "#rrggbb", where segments have no colours of their own. */
+  colour?: string;
   /** Radius of a dot at either end. */
   dot?: number;
-  /** Length of an arrow head at the end. */
+  /** Length of an arrow head at the end, or at the start. */
   head?: number;
+  backwards?: boolean;
   /** Whether line and dots keep within the ends, so that a short gap between two segments is not closed by their thickness. */
   within?: boolean;
   /** Length of dashes and of the gaps between them. */
@@ -25,13 +27,15 @@ export interface SegmentStyle {
 /** Line segments of a width in pixels, whole or dashed, with round ends, dots or arrow heads. */
 export class Segments extends InkQuads {
   private readonly uniforms;
-  private filled: string | null = null;
 
-  constructor(ink: Ink, capacity: number, layer: Layer) {
+  /** `ends`: see segment_ends.ts. `colours` defines `vec3 colourOf(int segment)`, sRGB. */
+  constructor(ink: Ink, layer: Layer, capacity: number, ends: Glsl, colours: Glsl = oneColour) {
     const uniforms = {
       width: { value: 1 },
+      colour: { value: new Color() },
       dotRadius: { value: 0 },
       head: { value: 0 },
+      backwards: { value: false },
       inset: { value: 0 },
       dash: { value: 0 },
       shortest: { value: 0 },
@@ -39,15 +43,18 @@ export class Segments extends InkQuads {
       halo: { value: 0 },
       haloColour: { value: new Color() },
     };
-    super(ink, layer, capacity, segmentStride / 4, uniforms, vertexMain, fragmentMain);
+    const all = { ...uniforms, ...ends.uniforms, ...colours.uniforms };
+    super(ink, layer, capacity, all, ends.code + colours.code + vertexMain, fragmentMain);
     this.uniforms = uniforms;
   }
 
   setStyle(style: SegmentStyle): void {
     const {
       width,
+      colour,
       dot = 0,
       head = 0,
+      backwards = false,
       within = false,
       dash = 0,
       shortest = 0,
@@ -58,36 +65,41 @@ export class Segments extends InkQuads {
     this.uniforms.width.value = width;
     this.uniforms.dotRadius.value = dot;
     this.uniforms.head.value = head;
+    this.uniforms.backwards.value = backwards;
     this.uniforms.inset.value = within ? Math.max(dot, width / 2) : 0;
     this.uniforms.dash.value = dash;
     this.uniforms.shortest.value = shortest;
     this.uniforms.halo.value = halo;
     this.uniforms.presence.value = presence;
+    if (colour) setInkColour(this.uniforms.colour.value, colour);
     if (haloColour) setInkColour(this.uniforms.haloColour.value, haloColour);
   }
-
-  /** One colour for all of them; nothing else may write colours then. */
-  fill(hex: string): void {
-    if (hex === this.filled) return;
-    this.filled = hex;
-    const colour = packColour(parseColour(hex));
-    for (let at = 3; at < this.data.length; at += segmentStride) this.data[at] = colour;
-  }
 }
+
+const oneColour: Glsl = {
+  uniforms: {},
+  code: /* glsl */ `
+    uniform vec3 colour;
+    vec3 colourOf(int segment) { return colour; }
+  `,
+};
 
 const vertexMain = /* glsl */ `
   uniform float width;
   uniform float dotRadius;
   uniform float head;
+  uniform bool backwards;
   uniform float shortest;
   varying vec2 point;
   varying float extent;
   varying vec3 strokeColour;
 
   void main() {
-    vec4 start = texel(0);
-    vec3 a = (modelViewMatrix * vec4(start.xyz, 1.0)).xyz;
-    vec3 b = (modelViewMatrix * vec4(texel(1).xyz, 1.0)).xyz;
+    vec3 start, end;
+    if (backwards) ends(shapeIndex(), end, start);
+    else ends(shapeIndex(), start, end);
+    vec3 a = (modelViewMatrix * vec4(start, 1.0)).xyz;
+    vec3 b = (modelViewMatrix * vec4(end, 1.0)).xyz;
     float near = nearPlane();
     if (a.z > -near && b.z > -near) { hide(); return; }
     if (a.z > -near) a = mix(b, a, (b.z + near) / (b.z - a.z));
@@ -101,8 +113,7 @@ const vertexMain = /* glsl */ `
     float margin = (max(max(0.5 * width, dotRadius), 0.5 * head) + halo) * pixelRatio + 1.0;
     bool atStart = corner().x < 0.0;
     point = vec2(atStart ? -margin : extent + margin, corner().y * margin);
-    int packed = int(start.w);
-    strokeColour = vec3(packed >> 16, packed >> 8 & 255, packed & 255) / 255.0;
+    strokeColour = colourOf(shapeIndex());
     place(from + point.x * direction + point.y * vec2(-direction.y, direction.x), atStart ? a : b, 0.0);
   }
 `;

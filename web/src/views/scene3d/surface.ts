@@ -48,9 +48,14 @@ export class Surface {
     if (model.texture) this.loadTexture(model.texture.url, onTexture);
   }
 
-  /** `p`: #V×3, metres; `colour` ("#rrggbb"): while the texture is missing or still on its way. */
-  update(p: Float64Array, colour: string): void {
-    this.mesh.material.color.set(this.mesh.material.map ? '#ffffff' : colour);
+  /** "#rrggbb": while the texture is missing or still on its way. */
+  setColour(hex: string): void {
+    const { color, map } = this.mesh.material;
+    color.setHex(map ? 0xffffff : Number.parseInt(hex.slice(1), 16));
+  }
+
+  /** `p`: #V×3, metres. */
+  update(p: Float64Array): void {
     vertexNormals(p, this.F, this.netNormals);
     takeRows(p, this.corners, this.positions.array);
     takeRows(this.netNormals, this.corners, this.normals.array);
@@ -69,7 +74,6 @@ export class Surface {
       texture.colorSpace = SRGBColorSpace;
       texture.anisotropy = 8; // keeps a slanted weave from blurring
       this.mesh.material.map = texture;
-      this.mesh.material.color.set('#ffffff');
       this.mesh.material.needsUpdate = true;
       onTexture();
     });

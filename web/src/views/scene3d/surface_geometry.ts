@@ -39,7 +39,8 @@ export function vertexNormals(p: Float64Array, F: Uint32Array, out: Float32Array
     const vx = p[c] - p[a];
     const vy = p[c + 1] - p[a + 1];
     const vz = p[c + 2] - p[a + 2];
-    for (const corner of [a, b, c]) {
+    for (let at = f; at < f + 3; at++) {
+      const corner = 3 * F[at];
       out[corner] += uy * vz - uz * vy;
       out[corner + 1] += uz * vx - ux * vz;
       out[corner + 2] += ux * vy - uy * vx;
