@@ -2,7 +2,15 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { comparison } from '../../../web/src/app/comparison.ts';
 import { notices } from '../../../web/src/app/notices.ts';
 import { Session } from '../../../web/src/app/session.ts';
-import { defaultState, dragging, frame, playing, scene as sceneSignal, state } from '../../../web/src/app/state.ts';
+import {
+  defaultState,
+  dragging,
+  frame,
+  liveFrame,
+  playing,
+  scene as sceneSignal,
+  state,
+} from '../../../web/src/app/state.ts';
 import { solving } from '../../../web/src/app/work.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
 import { SolverCancelled, type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
@@ -55,7 +63,7 @@ class FakeClient {
     if (how === 'crash') answer.reject(new SolverCrash('unreachable'));
     else if (how === 'refused')
       answer.resolve({ ok: false, status: { code: 'too_stiff', field: 'k', index: -1, value: 2e9 } });
-    else answer.resolve({ ok: true, value: { frame: paused, checkpoint: checkpoint(), r: Float64Array.of(1) } });
+    else answer.resolve({ ok: true, value: { frame: { ...paused }, checkpoint: checkpoint(), r: Float64Array.of(1) } });
     await turn();
   }
 
@@ -211,6 +219,28 @@ describe('the session', () => {
     session.order({ kind: 'stay' });
     await client.settle('ok');
     expect(client.requests.at(-1)?.wholeTrace).toBe(true);
+  });
+
+  it('while playing shows every frame as a picture, but in words and numbers no more than five a second', async () => {
+    const start = performance.now() + 1000; // ms
+    let now = start;
+    const clock = vi.spyOn(performance, 'now').mockImplementation(() => now);
+    playing.value = true;
+    const [pictures, words] = [vi.fn(), vi.fn()];
+    const stops = [liveFrame.subscribe(pictures), frame.subscribe(words)];
+    const told = () => [pictures.mock.calls.length - 1, words.mock.calls.length - 1]; // each was told the frame before
+    for (; now < start + 1000; now += 20) {
+      session.order({ kind: 'play', steps: 1 });
+      await client.settle('ok');
+    }
+    expect(told()).toEqual([50, 5]);
+    session.order({ kind: 'play', steps: 1 });
+    await client.settle('ok');
+    playing.value = false;
+    expect(frame.value).toBe(liveFrame.value);
+    for (const stop of stops) stop();
+    await client.settle('ok'); // what pausing asked for
+    clock.mockRestore();
   });
 
   it('measures what an iteration takes while idle, and while playing once a second', async () => {

@@ -13,6 +13,7 @@ import {
   type AppState,
   dragging,
   frame,
+  liveFrame,
   parameters,
   parametersOn,
   pins,
@@ -27,6 +28,9 @@ import { solving } from './work.ts';
 
 /** Clicks that may wait for the solver; more are a held key, and only delay what the reader sees. */
 const longestQueue = 4;
+
+/** How long numbers stand while playing. */
+const legible_ms = 200;
 
 /** How often playing waits for a measurement. */
 const profilePeriod_ms = 1000;
@@ -43,6 +47,8 @@ export class Session {
   private stale = false;
   /** The last request failed and nothing has changed since: asking again would fail again. */
   private halted = false;
+  /** When numbers changed last, ms. */
+  private legibleSince = Number.NEGATIVE_INFINITY;
   /** When what an iteration takes was last measured, ms. */
   private profiled = Number.NEGATIVE_INFINITY;
   private accepted: Pick<AppState, 'parameters' | 'pins'> = { parameters: {}, pins: null };
@@ -61,6 +67,7 @@ export class Session {
       untracked(() => {
         this.stale = true;
         this.halted = false;
+        if (!playing.value) frame.value = liveFrame.value;
         void this.pump();
       });
     });
@@ -124,6 +131,7 @@ export class Session {
           scene.value = next;
           state.value = { ...state.value, ...change };
           r.value = outcome.value.r;
+          liveFrame.value = outcome.value.frame;
           frame.value = outcome.value.frame;
         });
         return true;
@@ -210,7 +218,7 @@ export class Session {
       const outcome = await this.client.run(request);
       if (outcome.ok) {
         this.accepted = settings;
-        frame.value = outcome.value.frame;
+        this.show(outcome.value.frame);
         this.measured(request.command, outcome.value.frame);
       } else {
         this.explain(outcome.status);
@@ -220,6 +228,16 @@ export class Session {
       this.lost(reason);
       this.fallBack(settings);
     }
+  }
+
+  private show(next: Frame): void {
+    const now = performance.now();
+    const legible = !playing.value || now >= this.legibleSince + legible_ms;
+    if (legible) this.legibleSince = now;
+    batch(() => {
+      liveFrame.value = next;
+      if (legible) frame.value = next;
+    });
   }
 
   private measured(command: Command, { milliseconds, profile }: Frame): void {

@@ -78,7 +78,10 @@ export const state = signal<AppState>(defaultState);
 export const scene = signal<Scene>(noScene);
 /** #E, m: rest lengths, from the solver. */
 export const r = signal<Float64Array>(new Float64Array(0));
+/** What words and numbers show: while playing not every frame, because nobody reads so fast. */
 export const frame = signal<Frame | null>(null);
+/** Every frame, for the picture. */
+export const liveFrame = signal<Frame | null>(null);
 export const playing = signal(false);
 /** A pin being dragged follows the pointer whether or not the clock runs. */
 export const dragging = signal<number | null>(null);

@@ -1,7 +1,8 @@
-import { useState } from 'preact/hooks';
+import { effect } from '@preact/signals';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, pins, scene } from '../../app/state.ts';
+import { pins, scene } from '../../app/state.ts';
 import { diagonal, screenAxes } from './geometry.ts';
 import { canvasOrigin, pictures, scene3D } from './stage_signals.ts';
 
@@ -19,15 +20,13 @@ const directions: Record<string, [number, number]> = {
 export function PinHandle({ actions }: { actions: Actions }) {
   const [chosen, choose] = useState(0);
   const { pinned, targets } = pins.value;
-  void pictures.value; // the handle stands where the last one drew its pin
-  const view = scene3D.value;
-  if (pinned.length === 0) return <p class="no-pins">{t('page.pinHandle.none')}</p>;
-  if (!view || !frame.value) return null;
   const row = Math.min(chosen, pinned.length - 1);
   const vertex = pinned[row];
+  const handle = useHandleOn(vertex);
+  const view = scene3D.value;
+  if (pinned.length === 0) return <p class="no-pins">{t('page.pinHandle.none')}</p>;
+  if (!view) return null;
   const target = [...targets.subarray(3 * row, 3 * row + 3)];
-  const origin = canvasOrigin.value;
-  const place = view.projectToScreen(vertex, 'global');
   const [x, y, z] = target.map((value) => value.toFixed(3));
 
   const onKeyDown = (event: KeyboardEvent) => {
@@ -46,12 +45,28 @@ export function PinHandle({ actions }: { actions: Actions }) {
 
   return (
     <button
+      ref={handle}
       type="button"
       class="pin-handle"
-      style={place ? { left: `${origin.x + place.x}px`, top: `${origin.y + place.y}px` } : undefined}
       aria-label={t('page.pinHandle.label', { row: row + 1, count: pinned.length, vertex, x, y, z })}
       onFocus={() => actions.selectVertex(vertex)}
       onKeyDown={onKeyDown}
     />
   );
+}
+
+/** Keeps the element that the returned ref is given to where each picture shows a vertex, without rendering it anew. */
+function useHandleOn(vertex: number) {
+  const handle = useRef<HTMLButtonElement>(null);
+  useLayoutEffect(
+    () =>
+      effect(() => {
+        void pictures.value;
+        const place = scene3D.value?.projectToScreen(vertex, 'global');
+        const { x, y } = canvasOrigin.value;
+        if (handle.current && place) handle.current.style.translate = `${x + place.x}px ${y + place.y}px`;
+      }),
+    [vertex],
+  );
+  return handle;
 }

@@ -5,7 +5,7 @@ import { drawingTime } from '../../app/measurements.ts';
 import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
 import { appliedTheme } from '../../app/preferences.ts';
-import { frame, r, scene, state } from '../../app/state.ts';
+import { liveFrame, r, scene, state } from '../../app/state.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
@@ -70,7 +70,7 @@ export function Stage({ actions }: { actions: Actions }) {
 
   useEffect(() => {
     const animation = new HalfStepAnimation();
-    const stop = frame.subscribe((f) => {
+    const stop = liveFrame.subscribe((f) => {
       if (f) animation.show(f, (shown, progress) => scene3D.value?.setFrame(shown, progress));
     });
     return () => {
@@ -104,7 +104,7 @@ function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
 }
 
 function positionOf(vertex: number): [number, number, number] {
-  const p = frame.peek()?.p ?? scene.peek().V;
+  const p = liveFrame.peek()?.p ?? scene.peek().V;
   return [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
 }
 

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { frame, pins, scene, state } from '../../app/state.ts';
+import { liveFrame, pins, scene, state } from '../../app/state.ts';
 import type { Frame } from '../../solver/frame.ts';
 import './inspector.css';
 
@@ -21,7 +21,6 @@ export function SpringInspector({ actions }: { actions: Actions }) {
 /** Chooses a vertex by its number, and pins or frees it. */
 export function VertexInspector({ actions }: { actions: Actions }) {
   const { vertex } = state.value.selection;
-  const { p } = frame.value as Frame;
   const pinned = vertex !== null && pins.value.pinned.includes(vertex);
   return (
     <>
@@ -35,6 +34,7 @@ export function VertexInspector({ actions }: { actions: Actions }) {
         type="button"
         disabled={vertex === null}
         onClick={() => {
+          const { p } = liveFrame.peek() as Frame;
           if (vertex !== null) actions.togglePin(vertex, [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]]);
         }}
       >
