@@ -1,9 +1,8 @@
 import type { ComponentChildren } from 'preact';
-import { useContext, useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { t } from '../../../app/messages/index.ts';
 import { holds } from '../../../app/pointing.ts';
 import type { Frame } from '../../../solver/frame.ts';
-import { LessonActions } from '../lesson_actions.ts';
 import { lessonWords } from '../lesson_words.ts';
 import { Phrase } from '../prose.tsx';
 import type { Arrows } from './arrows.ts';
@@ -31,18 +30,12 @@ interface Props {
 /** A small simulation in the text: pictures, clock, sliders, caption, and the way to the lab. It sleeps when it is off the screen. */
 export function Figure({ figure, pictures, arrows, behind, sliders = [], caption, children }: Props) {
   const host = useRef<HTMLElement>(null);
-  const actions = useContext(LessonActions);
   const words = lessonWords().figure;
   const refusal = figure.refusal.value;
 
   const itself = useMemo(() => [figure], [figure]);
   useAwake(host, itself);
   useEffect(() => holds(figure)(host.current), [figure]);
-
-  const openInLab = () => {
-    const moment = figure.forLab();
-    if (moment) void actions?.openMoment(moment.state, moment.from);
-  };
 
   return (
     <figure ref={host} class="figure" data-awake={figure.awake.value} data-ready={figure.frame.value !== null}>
@@ -75,10 +68,7 @@ export function Figure({ figure, pictures, arrows, behind, sliders = [], caption
       )}
       {children}
       <figcaption>
-        <Phrase text={caption} />{' '}
-        <button type="button" class="figure-to-lab" onClick={openInLab}>
-          {words.openInLab}
-        </button>
+        <Phrase text={caption} />
       </figcaption>
     </figure>
   );

@@ -199,11 +199,12 @@ export class FigureSession implements Figure {
 
   private async open(): Promise<void> {
     const scene = await findScene(this.settings.scene);
-    for (const command of [{ kind: 'stay' } as const, ...(this.settings.opening ?? [])]) {
-      this.take(scene, await this.solver.run(this.moment(scene, this.here, command)));
+    let outcome = await this.solver.run(this.moment(scene, null, { kind: 'stay' }));
+    for (const command of this.settings.opening ?? []) {
+      if (outcome.ok) outcome = await this.solver.run(this.moment(scene, outcome.value.checkpoint, command));
     }
+    this.take(scene, outcome);
     this.beginning = this.here;
-    this.past = [];
   }
 
   private async make(move: Move, here: Checkpoint): Promise<void> {

@@ -1,13 +1,20 @@
+import { useContext } from 'preact/hooks';
 import { t } from '../../../app/messages/index.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
+import { LessonActions } from '../lesson_actions.ts';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
 import { TransportButton } from './transport_button.tsx';
 
-/** The clock's buttons, and where it stands. */
+/** The clock's buttons, where it stands, and the way to the lab. */
 export function FigureTransport({ figure }: { figure: FigureSession }) {
   const playing = figure.playing.value;
   const frame = figure.frame.value;
+  const actions = useContext(LessonActions);
+  const openInLab = () => {
+    const moment = figure.forLab();
+    if (moment) void actions?.openMoment(moment.state, moment.from);
+  };
   const atBeginning = !frame || (frame.half_step === 0 && frame.rememberedSteps === 0);
   return (
     <fieldset class="figure-transport" aria-label={t('page.transport.label')}>
@@ -38,6 +45,9 @@ export function FigureTransport({ figure }: { figure: FigureSession }) {
         onClick={() => figure.order({ kind: 'next_step' })}
       />
       <Place figure={figure} />
+      <button type="button" class="figure-to-lab" onClick={openInLab}>
+        {lessonWords().figure.openInLab}
+      </button>
     </fieldset>
   );
 }

@@ -28,6 +28,8 @@ interface Props {
   series: readonly Series[];
   x: ChartAxis;
   y: ChartAxis;
+  /** The x to mark. */
+  cursor?: number;
   /** What is to be seen, for those who cannot see it. */
   summary: string;
 }
@@ -36,7 +38,7 @@ const height = 240; // px
 const margin = { left: 56, right: 12, top: 8, bottom: 28 }; // px
 
 /** A few curves in one frame, told apart by colour, dashes and name; their numbers in a table. */
-export function LineChart({ series, x, y, summary }: Props) {
+export function LineChart({ series, x, y, cursor, summary }: Props) {
   const frame = useId();
   const host = useRef<HTMLDivElement>(null);
   const width = useWidth(host);
@@ -71,6 +73,15 @@ export function LineChart({ series, x, y, summary }: Props) {
                 </text>
               </g>
             ))}
+            {cursor !== undefined && (
+              <line
+                class="line-chart-cursor"
+                x1={place.x(cursor)}
+                x2={place.x(cursor)}
+                y1={margin.top}
+                y2={height - margin.bottom}
+              />
+            )}
             <clipPath id={frame}>
               <rect x={margin.left} y={0} width={width - margin.left} height={height - margin.bottom} />
             </clipPath>

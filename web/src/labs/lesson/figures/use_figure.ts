@@ -1,10 +1,9 @@
-import { useEffect, useMemo } from 'preact/hooks';
-import { FigureSession, type FigureSettings } from './figure_session.ts';
-import { lessonSolver } from './lesson_solver.ts';
+import { useMemo } from 'preact/hooks';
+import type { FigureSession, FigureSettings } from './figure_session.ts';
+import { useFigures } from './use_figures.ts';
 
-/** A figure's session for as long as the component stands on the page. */
+/** A figure's session for as long as the component stands on the page. `settings` is to be a constant of the module. */
 export function useFigure(settings: FigureSettings): FigureSession {
-  const figure = useMemo(() => new FigureSession(lessonSolver, settings), [settings]);
-  useEffect(() => figure.start(), [figure]);
-  return figure;
+  const alone = useMemo(() => [settings], [settings]);
+  return useFigures(alone)[0];
 }

@@ -82,7 +82,11 @@ export const en = {
 
       The course takes the first, with fifty rounds.
     `,
-    caption: raw`How far $\symobjective$ is above the lowest value of this time step. Choose a rule and see where it stops; pick a point of the curve to go there.`,
+    caption: raw`The chart shows this one time step. Choose a rule and see after which round it ends.`,
+    curve: 'the worst vertex',
+    rounds: 'round',
+    force: raw`largest component of $\symgradient$, N`,
+    summary: 'On a logarithmic axis the unbalanced force falls along a nearly straight line, round by round.',
     tolerance: raw`$\varepsilon$ is {{gradient}} for the gradient, {{decrease}} for the decrease.`,
   },
   enough: {

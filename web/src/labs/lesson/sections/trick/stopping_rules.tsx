@@ -2,25 +2,26 @@ import { t } from '../../../../app/messages/index.ts';
 import type { StoppingRule } from '../../../../app/state.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber, formatQuantity } from '../../../../lib/format.ts';
-import { ObjectiveChart } from '../../../../views/plots/objective_chart.tsx';
+import type { Frame } from '../../../../solver/frame.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession, FigureSettings } from '../../figures/figure_session.ts';
+import { LineChart } from '../../figures/line_chart.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
 import { Phrase } from '../../prose.tsx';
 import type { en } from './en.ts';
 
-const settings: FigureSettings = {
+const settings = {
   scene: 'patch',
   parameters: { k: 2000, iterations: 50 },
   opening: [{ kind: 'play', steps: 6 }, { kind: 'next_half_step' }],
-};
+} as const satisfies FigureSettings;
 
 /** N, and dimensionless. */
 const tolerances: Record<StoppingRule, number> = { stop_gradient: 0.1, stop_decrease: 1e-4 };
 
 const choices = ['never', 'stop_gradient', 'stop_decrease'] as const;
 
-/** The objective over the half-steps of one time step, which ends by the rule that the reader chooses. */
+/** What is left unbalanced after each round of one time step, which ends by the rule that the reader chooses. */
 export function StoppingRules({ words }: { words: typeof en.stop }) {
   const figure = useFigure(settings);
   const frame = figure.frame.value;
@@ -34,11 +35,21 @@ export function StoppingRules({ words }: { words: typeof en.stop }) {
       <p class="figure-note">
         <Phrase text={fillTemplate(words.tolerance, tolerance)} />
       </p>
-      <div class="objective-place">
-        {frame && <ObjectiveChart frame={frame} onSeek={(half_step) => figure.order({ kind: 'seek', half_step })} />}
-      </div>
+      <LineChart
+        series={[{ name: words.curve, points: forcesLeft(frame) }]}
+        x={{ label: words.rounds, range: [0, settings.parameters.iterations] }}
+        y={{ label: words.force, logarithmic: true, range: [1e-3, 1e2] }}
+        cursor={frame?.iteration ?? 0}
+        summary={words.summary}
+      />
     </Figure>
   );
+}
+
+/** N, after every round of the time step; while the clock runs nobody knows. */
+function forcesLeft(frame: Frame | null): [number, number][] {
+  const ends = frame?.events.filter(({ phase }) => phase === 'predict' || phase === 'global') ?? [];
+  return ends.map(({ iteration, gradient }) => [iteration, gradient]);
 }
 
 function Rule({ figure }: { figure: FigureSession }) {

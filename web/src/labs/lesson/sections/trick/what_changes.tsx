@@ -13,7 +13,7 @@ const settings: FigureSettings = {
   scene: 'patch',
   parameters: { iterations: 3 },
   selection: { spring: 6, vertex: 3 },
-  opening: [{ kind: 'play', steps: 5 }, { kind: 'next_half_step' }],
+  opening: [{ kind: 'play', steps: 9 }, { kind: 'next_half_step' }, { kind: 'next_half_step' }],
 };
 
 const ids = ['pCurr', 'y', 'd', 'b', 'p'] as const satisfies readonly SymbolId[];

@@ -77,7 +77,11 @@ export const zh: Catalogue<typeof en> = {
 
       课程采用第一种，取五十轮。
     `,
-    caption: raw`$\symobjective$ 比本时间步的最低值高出多少。选一种准则，看它在何处停止；点选曲线上的点，即可跳到那半步。`,
+    caption: raw`图中是这一个时间步。选一种准则，看它在第几轮之后结束。`,
+    curve: '最差的质点',
+    rounds: '轮数',
+    force: raw`$\symgradient$ 的最大分量，N`,
+    summary: '在对数刻度上，不平衡的力随轮数近似沿直线下降。',
     tolerance: raw`$\varepsilon$ 的取值：梯度为 {{gradient}}，下降量为 {{decrease}}。`,
   },
   enough: {
