@@ -75,7 +75,7 @@ export const en = {
     text: raw`
       The exact minimum takes endlessly many rounds, and nobody needs it. Three rules are common.
 
-      - After a **fixed number** of rounds. What a picture costs is then known, how exact it is is not.
+      - After a **fixed number** of rounds. One then knows what a picture costs, but not how exact it is.
       - Once the **gradient** is small. Its largest component is the force, in newtons, that is left unbalanced at the
         worst vertex; at zero, $f = ma$ holds exactly.
       - Once a round **lowers $\symobjective$ by little**. That is cheap to ask, but who goes slowly need not have arrived.
