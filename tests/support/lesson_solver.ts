@@ -6,7 +6,7 @@ import { solver } from './open_simulation.ts';
 
 /** The lesson's solver without a worker: the real module answers at once. */
 export function lessonSolver(): LessonSolver {
-  const session = new SolverSession(solver);
+  const session = new SolverSession(solver, () => {});
   const client: Pick<SolverService, 'open' | 'inspect'> = {
     open: async (problem, request, from) => session.open(problem, request, from),
     inspect: async (points) => session.inspect(points),

@@ -25,6 +25,8 @@ function spansOf(block: Block): Span[] {
   return spans.flatMap((span) => (span.kind === 'strong' ? span.spans : [span]));
 }
 
+/** Words inside a formula are the language's own. */
+const withoutWords = (tex: string) => tex.replace(/\\text\{[^}]*\}/g, '');
 const displays = (source: string) => parseProse(source).flatMap((block) => (block.kind === 'display' ? block.tex : []));
 const placeholders = (source: string) => [...source.matchAll(/\{\{(\w+)\}\}/g)].map(([, name]) => name).sort();
 
@@ -37,7 +39,7 @@ describe.each(catalogues)('the texts of $name', ({ en, zh }) => {
   it('fill in the same values and display the same formulas in both languages', () => {
     for (const [key, text] of en) {
       expect(placeholders(zh.get(key) as string), key).toEqual(placeholders(text));
-      expect(displays(zh.get(key) as string), key).toEqual(displays(text));
+      expect(displays(zh.get(key) as string).map(withoutWords), key).toEqual(displays(text).map(withoutWords));
     }
   });
 

@@ -2,7 +2,7 @@ export const page = {
   title: 'Mass–Spring Lab',
   skip: 'Skip to the transport',
   skipToText: 'Skip to the text',
-  loading: 'Loading the solver…',
+  loading: 'Loading…',
   header: {
     pages: { label: 'Pages', springs: 'Springs', lesson: 'Lesson' },
     otherLanguage: '中文',

@@ -2,7 +2,7 @@ export const page = {
   title: '质点弹簧实验室',
   skip: '跳到播放控制',
   skipToText: '跳到正文',
-  loading: '正在载入求解器……',
+  loading: '正在载入……',
   header: {
     pages: { label: '页面', springs: '弹簧', lesson: '课程' },
     otherLanguage: 'English',
