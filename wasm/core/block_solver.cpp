@@ -28,14 +28,18 @@ void for_each_strip(int columns, DoStrip do_strip) {
   }
 }
 
+/// A row of x in registers.
+template <typename Scalar>
+using Row = decltype(load_point(static_cast<const Scalar*>(nullptr), 0));
+
 /// x_R ← x_R + G x_C.
 /// @param G  height by Width
-template <int Width>
-void add_product(const double* G, int height, const int* rows, int C, double* x) {
-  WidePoint kept[Width];
+template <int Width, typename Scalar>
+void add_product(const Scalar* G, int height, const int* rows, int C, Scalar* x) {
+  Row<Scalar> kept[Width];
   for (int c = 0; c < Width; ++c) kept[c] = load_point(x, C + c);
   for (int i = 0; i < height; ++i) {
-    WidePoint sum = load_point(x, rows[i]);
+    Row<Scalar> sum = load_point(x, rows[i]);
     for (int c = 0; c < Width; ++c) sum += G[i * Width + c] * kept[c];
     store_point(sum, x, rows[i]);
   }
@@ -43,11 +47,11 @@ void add_product(const double* G, int height, const int* rows, int C, double* x)
 
 /// x_C ← Bᵀ z.
 /// @param B  height by Width
-template <int Width>
-void transposed_product(const double* B, int height, const double* z, int C, double* x) {
-  WidePoint sums[Width];
+template <int Width, typename Scalar>
+void transposed_product(const Scalar* B, int height, const Scalar* z, int C, Scalar* x) {
+  Row<Scalar> sums[Width] = {};
   for (int i = 0; i < height; ++i) {
-    const WidePoint z_i = load_point(z, i);
+    const Row<Scalar> z_i = load_point(z, i);
     for (int c = 0; c < Width; ++c) sums[c] += B[i * Width + c] * z_i;
   }
   for (int c = 0; c < Width; ++c) store_point(sums[c], x, C + c);
@@ -95,35 +99,46 @@ class PanelInversion {
 
 bool BlockSolver::factorise(const SymbolicCholesky& symbolic, double coupling,
                             const Vector& diagonal, const Progress& progress) {
-  if (!numeric_cholesky(symbolic, coupling, diagonal, progress, panels_)) return false;
+  if (!numeric_cholesky(symbolic, coupling, diagonal, progress, doubles_.panels)) return false;
   PanelInversion inversion;
   for (const Supernode& node : symbolic.supernodes) {
-    inversion.invert(node, panels_.data() + node.panel);
+    inversion.invert(node, doubles_.panels.data() + node.panel);
   }
-  gathered_.resize(symbolic.largest_panel, 4);
+  floats_.panels.assign(doubles_.panels.begin(), doubles_.panels.end());
+  doubles_.gathered.resize(symbolic.largest_panel, 4);
+  floats_.gathered.resize(symbolic.largest_panel, 4);
   return true;
 }
 
 void BlockSolver::solve(const SymbolicCholesky& symbolic, WidePoints& x) {
+  doubles_.solve(symbolic, x);
+}
+
+void BlockSolver::solve(const SymbolicCholesky& symbolic, RoughPoints& x) {
+  floats_.solve(symbolic, x);
+}
+
+template <typename Scalar>
+void BlockSolver::Sweeps<Scalar>::solve(const SymbolicCholesky& symbolic, WideRows<Scalar>& x) {
   for (const Supernode& node : symbolic.supernodes) {
-    const double* panel = panels_.data() + node.panel;
+    const Scalar* panel = panels.data() + node.panel;
     const int* rows = symbolic.rows.data() + node.rows;
     const int length = node.width + node.height;
     for_each_strip(node.width, [&](int first, auto strip) {
-      const double* G = panel + first * length + node.width * strip;
+      const Scalar* G = panel + first * length + node.width * strip;
       add_product<strip>(G, node.height, rows, node.first_column + first, x.data());
     });
   }
   for (auto node = symbolic.supernodes.rbegin(); node != symbolic.supernodes.rend(); ++node) {
-    const double* panel = panels_.data() + node->panel;
+    const Scalar* panel = panels.data() + node->panel;
     const int* rows = symbolic.rows.data() + node->rows;
     const int length = node->width + node->height;
-    gathered_.topRows(node->width) = x.middleRows(node->first_column, node->width);
+    gathered.topRows(node->width) = x.middleRows(node->first_column, node->width);
     for (int i = 0; i < node->height; ++i) {
-      store_point(load_point(x.data(), rows[i]), gathered_.data(), node->width + i);
+      store_point(load_point(x.data(), rows[i]), gathered.data(), node->width + i);
     }
     for_each_strip(node->width, [&](int first, auto strip) {
-      transposed_product<strip>(panel + first * length, length, gathered_.data(),
+      transposed_product<strip>(panel + first * length, length, gathered.data(),
                                 node->first_column + first, x.data());
     });
   }

@@ -21,16 +21,25 @@ class BlockSolver {
   bool factorise(const SymbolicCholesky& symbolic, double coupling, const Vector& diagonal,
                  const Progress& progress);
 
-  /// x ← (P Q Pᵀ)⁻¹ x.
+  /// x ← (P Q Pᵀ)⁻¹ x, with the panels in doubles or in floats.
   /// @param symbolic  of the factorisation
   /// @param x  #columns or more; rows that are no columns keep their values
   void solve(const SymbolicCholesky& symbolic, WidePoints& x);
+  void solve(const SymbolicCholesky& symbolic, RoughPoints& x);
 
  private:
-  // For every supernode [D; G], (width + height) by width, in strips of 4 columns (the last one may
-  // be narrower), each strip row-major: both sweeps read them from beginning to end.
-  std::vector<double> panels_;
-  WidePoints gathered_;  // rows of the widest panel: scratch
+  template <typename Scalar>
+  struct Sweeps {
+    void solve(const SymbolicCholesky& symbolic, WideRows<Scalar>& x);
+
+    // For every supernode [D; G], (width + height) by width, in strips of 4 columns (the last one
+    // may be narrower), each strip row-major: both sweeps read them from beginning to end.
+    std::vector<Scalar> panels;
+    WideRows<Scalar> gathered;  // rows of the widest panel: scratch
+  };
+
+  Sweeps<double> doubles_;
+  Sweeps<float> floats_;
 };
 
 }  // namespace mass_spring

@@ -10,6 +10,9 @@ namespace mass_spring {
 ///   using Field = …;                                     // positions and forces, one vertex a row
 ///   double objective_and_gradient(const Field& p, Field& g);  // E(p), J, and g = ∂E/∂p, N
 ///   void apply_inverse(const Field& g, Field& x);             // x = Q⁻¹ g, m
+///
+///   using Direction = …;                                      // forces and changes of positions,
+///   void apply_inverse(const Direction& g, Direction& x);     // perhaps in fewer digits
 template <typename Problem>
 class Descent {
  public:
@@ -24,7 +27,9 @@ class Descent {
   }
 
   /// x = Q⁻¹ g, m; for g = ∂E/∂p, one iteration of local and global step is p ← p - x.
-  void solve(Problem& problem, const Field& g, Field& x) {
+  /// @tparam Any  Field or Problem::Direction
+  template <typename Any>
+  void solve(Problem& problem, const Any& g, Any& x) {
     problem.apply_inverse(g, x);
     ++standing_.solves;
   }

@@ -3,13 +3,21 @@
 namespace mass_spring {
 namespace {
 
-// m: shorter springs point along x, as in local_step.
-constexpr double shortest_with_direction = 1e-150;
+using Ends = RowSprings::Ends;
 
-void keep_direction(const RowSpring& spring, double length, WidePoint& x, double& divisor) {
-  if (length >= shortest_with_direction) return;
-  x = {Pair{spring.sense_in_E, 0}, both(0)};
-  divisor = 1;
+// m: added to every p_i - p_j, so that a collapsed spring points along x, as in local_step, and
+// none divides by 0. What it does to any other spring is far below rounding.
+const Pair nudge = {0x1p-500, 0};
+
+WidePoint spring_vector(Ends ends, const double* p) {
+  WidePoint x = load_point(p, ends.i) - load_point(p, ends.j);
+  x.xy += nudge;
+  return x;
+}
+
+void add_force(Ends ends, WidePoint force, double* g) {
+  store_point(load_point(g, ends.i) + force, g, ends.i);
+  store_point(load_point(g, ends.j) - force, g, ends.j);
 }
 
 /// k(x - d) of two springs, whose square roots and divisions are done together.
@@ -17,48 +25,42 @@ struct TwoForces {
   WidePoint of_a, of_b;  // N
   Pair stretches;        // m
 
-  TwoForces(const RowSpring& a, const RowSpring& b, Pair k, const double* p) {
-    WidePoint x_a = load_point(p, a.i) - load_point(p, a.j);
-    WidePoint x_b = load_point(p, b.i) - load_point(p, b.j);
+  TwoForces(Ends a, Ends b, Pair r, Pair k, const double* p) {
+    const WidePoint x_a = spring_vector(a, p), x_b = spring_vector(b, p);
     const Pair lengths = square_root(sums(half_products(x_a, x_a), half_products(x_b, x_b)));
-    stretches = lengths - Pair{a.r, b.r};
-    Pair divisors = lengths;
-    if (!(lengths[0] >= shortest_with_direction && lengths[1] >= shortest_with_direction)) {
-      double divisor_a = lengths[0], divisor_b = lengths[1];
-      keep_direction(a, lengths[0], x_a, divisor_a);
-      keep_direction(b, lengths[1], x_b, divisor_b);
-      divisors = Pair{divisor_a, divisor_b};
-    }
+    stretches = lengths - r;
     // k(x - d) = k(|x| - r) x/|x|
-    const Pair factors = k * stretches / divisors;
+    const Pair factors = k * stretches / lengths;
     of_a = factors[0] * x_a;
     of_b = factors[1] * x_b;
   }
 };
 
-void add_force(const RowSpring& spring, WidePoint force, double* g) {
-  store_point(load_point(g, spring.i) + force, g, spring.i);
-  store_point(load_point(g, spring.j) - force, g, spring.j);
-}
-
 }  // namespace
 
-double add_elastic_gradient(const std::vector<RowSpring>& springs, double k, const WidePoints& p,
+double add_elastic_gradient(const RowSprings& springs, double k, const WidePoints& p,
                             WidePoints& g) {
+  const std::size_t count = springs.ends.size();
+  // For all that the compiler knows, storing to g might change where p, g and the springs are.
+  const Ends* ends = springs.ends.data();
+  const double* r = springs.r.data();
+  const double* p_rows = p.data();
+  double* g_rows = g.data();
   Pair squares = both(0);  // m²
-  const std::size_t even = springs.size() / 2 * 2;
-  for (std::size_t e = 0; e < even; e += 2) {
-    const TwoForces forces(springs[e], springs[e + 1], both(k), p.data());
+  std::size_t e = 0;
+  for (; e + 1 < count; e += 2) {
+    const Ends a = ends[e], b = ends[e + 1];
+    const TwoForces forces(a, b, load(r + e), both(k), p_rows);
     squares += forces.stretches * forces.stretches;
-    add_force(springs[e], forces.of_a, g.data());
-    add_force(springs[e + 1], forces.of_b, g.data());
+    add_force(a, forces.of_a, g_rows);
+    add_force(b, forces.of_b, g_rows);
   }
   double sum_of_squares = sum(squares);
-  if (even < springs.size()) {
-    const RowSpring& last = springs.back();
-    const TwoForces forces(last, last, both(k), p.data());
+  if (e < count) {
+    const Ends last = ends[e];
+    const TwoForces forces(last, last, both(r[e]), both(k), p_rows);
     sum_of_squares += forces.stretches[0] * forces.stretches[0];
-    add_force(last, forces.of_a, g.data());
+    add_force(last, forces.of_a, g_rows);
   }
   return 0.5 * k * sum_of_squares;
 }

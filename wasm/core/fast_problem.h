@@ -9,6 +9,7 @@ namespace mass_spring {
 class FastProblem {
  public:
   using Field = WidePoints;
+  using Direction = RoughPoints;
 
   /// @param system  after begin()
   explicit FastProblem(FastSystem& system) : system_(system) {}
@@ -34,6 +35,10 @@ class FastProblem {
   /// @param g  #V rows, N: 0 in rows of pinned vertices
   /// @param x  #V rows, m: Q⁻¹ g, 0 in rows of pinned vertices (result)
   void apply_inverse(const Field& g, Field& x) {
+    x = g;
+    system_.apply_inverse(x);
+  }
+  void apply_inverse(const Direction& g, Direction& x) {
     x = g;
     system_.apply_inverse(x);
   }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
-
-#include "inertial_prediction.h"
+#include <numeric>
 
 namespace mass_spring {
 
@@ -31,18 +29,19 @@ void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const
   pattern_ = symbolic_cholesky(graph, elimination_order(unpinned_V, graph));
   for (int i = 0; i < free_count_; ++i) row_[unpinned[pattern_.order[i]]] = i;
 
-  springs_.clear();
+  // What is near in memory is used at nearly the same time.
+  const auto rows = [&](int e) { return std::minmax({row_[E(e, 0)], row_[E(e, 1)]}); };
+  std::vector<int> sequence(E.rows());
+  std::iota(sequence.begin(), sequence.end(), 0);
+  std::sort(sequence.begin(), sequence.end(), [&](int e, int f) { return rows(e) < rows(f); });
+  springs_ = {};
   held_springs_.clear();
-  for (int e = 0; e < E.rows(); ++e) {
-    const int i = row_[E(e, 0)], j = row_[E(e, 1)];
-    const auto [first, last] = std::minmax(i, j);
-    springs_.push_back({first, last, r(e), i < j ? 1.0 : -1.0});
+  for (const int e : sequence) {
+    springs_.ends.push_back({row_[E(e, 0)], row_[E(e, 1)]});
+    springs_.r.push_back(r(e));
+    const auto [first, last] = rows(e);
     if (first < free_count_ && last >= free_count_) held_springs_.push_back({first, last});
   }
-  // What is near in memory is used at nearly the same time.
-  std::sort(springs_.begin(), springs_.end(), [](const RowSpring& a, const RowSpring& b) {
-    return std::tie(a.i, a.j) < std::tie(b.i, b.j);
-  });
 }
 
 bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Progress& progress) {
@@ -51,8 +50,8 @@ bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Prog
   for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (delta_t * delta_t);
   inertia_.tail(m.size() - free_count_).setZero();
   Vector diagonal = inertia_.head(free_count_);
-  for (const RowSpring& spring : springs_) {
-    for (const int row : {spring.i, spring.j}) {
+  for (const auto& [i, j] : springs_.ends) {
+    for (const int row : {i, j}) {
       if (row < free_count_) diagonal(row) += k;
     }
   }
@@ -62,18 +61,21 @@ bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Prog
 // With s = 2p^t - p^{t-Δt} + f^ext Δt²/m, the inertial prediction, inertia and external energy of a
 // vertex are m/(2Δt²)|p - s|² up to what does not depend on p.
 void FastSystem::begin(const TimeStep& step) {
-  const Points s = inertial_prediction(step);  // #V by 3, m
-  inertial_ = rows_from_points(s);
+  const double squared_delta_t = step.delta_t * step.delta_t;
+  inertial_.resize(step.m.size(), 4);
   objective_offset_ = 0;
-  const Vector inertia = step.m / (step.delta_t * step.delta_t);  // #V, N/m
-  for (int i = 0; i < s.rows(); ++i) {
-    const Eigen::RowVector3d carried = step.f_ext.row(i) / inertia(i);  // m
-    objective_offset_ -= step.f_ext.row(i).dot(s.row(i) - 0.5 * carried);
+  for (int i = 0; i < step.m.size(); ++i) {
+    const Eigen::RowVector3d carried = step.f_ext.row(i) * (squared_delta_t / step.m(i));  // m
+    const Eigen::RowVector3d s = 2 * step.p_curr.row(i) - step.p_prev.row(i) + carried;
+    objective_offset_ -= step.f_ext.row(i).dot(s - 0.5 * carried);
+    inertial_.row(row_[i]) << s, 0;
   }
   for (int c = 0; c < step.pinned.size(); ++c) {
     const int i = step.pinned(c);
-    objective_offset_ += 0.5 * inertia(i) * (step.targets.row(c) - s.row(i)).squaredNorm();
-    inertial_.row(row_[i]) << step.targets.row(c), 0;
+    auto held = inertial_.row(row_[i]);
+    const Eigen::RowVector3d moved = step.targets.row(c) - held.head<3>();
+    objective_offset_ += 0.5 * step.m(i) / squared_delta_t * moved.squaredNorm();
+    held << step.targets.row(c), 0;
   }
 }
 
@@ -110,15 +112,19 @@ double FastSystem::gradient(const WidePoints& p, WidePoints& g) const {
 
 void FastSystem::apply_inverse(WidePoints& g) { solver_.solve(pattern_, g); }
 
+void FastSystem::apply_inverse(RoughPoints& g) { solver_.solve(pattern_, g); }
+
 void FastSystem::iterate(WidePoints& p, int iterations) {
   for (int iteration = 0; iteration < iterations; ++iteration) {
     gradient(p, g_);
-    // The local step saw the pins where they were, the global step has them where they are held:
-    // in A p, not in d.
-    for (const auto& [free, pinned] : held_springs_) {
-      g_.row(free) += k_ * (p.row(pinned) - inertial_.row(pinned));
+    if (iteration == 0) {
+      // The local step saw the pins where they were, the global step has them where they are held:
+      // in A p, not in d.
+      for (const auto& [free, pinned] : held_springs_) {
+        g_.row(free) += k_ * (p.row(pinned) - inertial_.row(pinned));
+      }
+      hold_pins(p);
     }
-    hold_pins(p);
     apply_inverse(g_);
     p -= g_;
   }

@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "backtrack.h"
+#include "compact_bfgs.h"
 #include "descent.h"
-#include "inner_product.h"
+#include "linear_span.h"
 
 namespace mass_spring {
 
@@ -15,10 +16,13 @@ namespace mass_spring {
 /// Bouaziz, Ladislav Kavan, "Quasi-Newton methods for real-time simulation of hyperelastic
 /// materials", 2017.
 ///
-/// The last `window` changes s = p^{k+1} - p^k and y = ∂E/∂p^{k+1} - ∂E/∂p^k correct γ Q⁻¹ by the
-/// two-loop recursion; a line search makes E fall. The first iteration tries the plain one. Since Q
-/// overestimates the curvature of E, its inverse is scaled by γ = sᵀy / yᵀQ⁻¹y of the latest pair,
-/// which the paper does not do; on cloth it spares a quarter of the iterations.
+/// The first iteration tries the plain one; from then on the last changes of p and ∂E/∂p correct
+/// γ Q⁻¹ (compact_bfgs.h), and a line search makes E fall. Since Q overestimates the curvature of
+/// E, its inverse is scaled by γ, which the paper does not do; on cloth it spares a quarter of the
+/// iterations.
+///
+/// All that directions are made of is kept as Problem::Direction. That may be in floats: the line
+/// search takes E and ∂E/∂p in full, and so does whoever asks how far the minimum is.
 template <typename Problem>
 class Lbfgs {
  public:
@@ -26,80 +30,74 @@ class Lbfgs {
 
   void begin(Problem& problem, const Field& p) {
     descent_.begin(problem, p);
-    for (Field* field : {&h_, &h_before_, &rest_, &x_, &q_}) field->resizeLike(p);
-    for (auto* fields : {&s_, &y_, &z_}) {
-      for (Field& field : *fields) field.resizeLike(p);
+    q_.resizeLike(p);
+    g_.resizeLike(p);
+    for (auto* fields : {&h_, &s_}) {
+      for (Direction& field : *fields) field.resizeLike(p);
     }
-    pairs_ = 0;
-    moved_ = false;
+    bfgs_.begin();
   }
 
   /// @param p  (updated)
   /// @return whether p changed; if not, E cannot be lowered by more than its rounding
   bool iterate(Problem& problem, Field& p) {
-    h_.swap(h_before_);
-    descent_.solve(problem, standing().gradient, h_);
-    if (moved_) remember(p, q_);
-    find_direction();
-    const double objective = standing().objective;
-    const double slope = -inner_product(x_, standing().gradient);
-    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(objective);
-    const auto falls = [&](double alpha, double change) {
-      q_ = p - alpha * x_;
-      return descent_.move_below(objective + change, problem, p, q_);
-    };
-    moved_ = slope < -rounding && backtrack(slope, falls);
-    return moved_;
+    g_ = standing().gradient.template cast<Scalar>();
+    descent_.solve(problem, g_, h_[bfgs_.pairs()]);
+    if (!bfgs_.arrive(span().products(g_))) forget_pairs();
+    if (descend(problem, p)) return true;
+    if (bfgs_.pairs() == 0) return false;
+    forget_pairs();
+    return descend(problem, p);
   }
 
   const Standing<Field>& standing() const { return descent_.standing(); }
 
  private:
-  static constexpr int window = 5;
+  using Direction = typename Problem::Direction;
+  using Scalar = typename Direction::Scalar;
+  using Span = LinearSpan<Direction, 2 * CompactBfgs::window + 1>;
 
-  /// Keeps the pair of the move from p_before to p, if E curves upwards along it; one that does not
-  /// would lead uphill.
-  void remember(const Field& p, const Field& p_before) {
-    const int i = pairs_ % window;
-    s_[i] = p - p_before;
-    y_[i] = standing().gradient - descent_.gradient_before();
-    z_[i] = h_ - h_before_;
-    sy_[i] = inner_product(s_[i], y_[i]);
-    if (sy_[i] > 0) ++pairs_;
+  /// Every h and s in use.
+  Span span() const {
+    Span span;
+    for (int i = 0; i <= bfgs_.pairs(); ++i) span.add(h_[i]);
+    for (int i = 0; i < bfgs_.pairs(); ++i) span.add(s_[i]);
+    return span;
   }
 
-  /// x = H ∂E/∂p, H being γ Q⁻¹ corrected by the pairs (s, y); the step is -α x.
-  void find_direction() {
-    const int oldest = std::max(0, pairs_ - window);
-    std::array<double, window> a;
-    rest_ = standing().gradient;
-    x_ = h_;  // Q⁻¹ rest, throughout the first loop
-    for (int k = pairs_ - 1; k >= oldest; --k) {
-      const int i = k % window;
-      a[i] = inner_product(s_[i], rest_) / sy_[i];
-      rest_ -= a[i] * y_[i];
-      x_ -= a[i] * z_[i];
-    }
-    if (pairs_ > 0) {
-      const int latest = (pairs_ - 1) % window;
-      x_ *= sy_[latest] / inner_product(y_[latest], z_[latest]);  // γ
-    }
-    for (int k = oldest; k < pairs_; ++k) {
-      const int i = k % window;
-      const double b = inner_product(y_[i], x_) / sy_[i];
-      x_ += (a[i] - b) * s_[i];
-    }
+  /// p ← p - α H ∂E/∂p, if there is an α that lowers E by enough.
+  bool descend(Problem& problem, Field& p) {
+    const CompactBfgs::Numbers coefficients = -bfgs_.coefficients();
+    const double slope = bfgs_.slope(coefficients);
+    const double objective = standing().objective;
+    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(objective);
+    if (!(slope < -rounding)) return false;
+    Direction& s = s_[bfgs_.pairs()];
+    span().combine(coefficients, s);
+    return backtrack(slope, [&](double alpha, double change) {
+      q_ = p + alpha * s.template cast<double>();
+      if (!descent_.move_below(objective + change, problem, p, q_)) return false;
+      if (alpha < 1) s *= static_cast<Scalar>(alpha);
+      if (bfgs_.pairs() == CompactBfgs::window) {
+        std::rotate(h_.begin(), h_.begin() + 1, h_.end());
+        std::rotate(s_.begin(), s_.begin() + 1, s_.end());
+      }
+      bfgs_.depart(alpha * slope);
+      return true;
+    });
+  }
+
+  void forget_pairs() {
+    h_[0].swap(h_[bfgs_.pairs()]);
+    bfgs_.forget_pairs();
   }
 
   Descent<Problem> descent_;
-  int pairs_ = 0;                        // kept since the start; the last `window` are in the rings
-  bool moved_ = false;                   // in the last iteration, from q to p
-  std::array<Field, window> s_, y_, z_;  // m, N, m: rings of changes of p, ∂E/∂p and Q⁻¹ ∂E/∂p
-  std::array<double, window> sy_;        // J: sᵀy
-  Field h_, h_before_;                   // m: Q⁻¹ ∂E/∂p here and at the iterate before
-  Field rest_;                           // N: what the pairs leave of ∂E/∂p for Q⁻¹
-  Field x_;                              // m: H ∂E/∂p
-  Field q_;                              // m: a candidate for the next iterate, then the one before
+  CompactBfgs bfgs_;
+  Direction g_;                                       // N: ∂E/∂p
+  std::array<Direction, CompactBfgs::window + 1> h_;  // m: Q⁻¹ ∂E/∂p, of the iterates in use
+  std::array<Direction, CompactBfgs::window + 1> s_;  // m: from each of them to the next
+  Field q_;                                           // m: a candidate for the next iterate
 };
 
 }  // namespace mass_spring

@@ -58,7 +58,7 @@ class Newton {
   bool descend(const NewtonProblem& problem, double left_out, Points& p);
 
   Standing<Points> standing_;
-  std::size_t caution_ = 0;                 // which share of negative curvature to leave out
+  std::size_t caution_ = 0;  // which share of negative curvature to leave out
   bool analysed_ = false;
   Eigen::SimplicialLLT<SparseMatrix> llt_;  // of H, 3#V by 3#V, N/m
   Points x_;                                // #V by 3, m: H⁻¹ ∂E/∂p

@@ -15,6 +15,7 @@ template <typename Precomputation>
 class PlainProblem {
  public:
   using Field = Points;
+  using Direction = Points;
 
   /// @param precomputation  of the same springs, masses, pins, k, Δt and w
   PlainProblem(const TimeStep& step, const Precomputation& precomputation)

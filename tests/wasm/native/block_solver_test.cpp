@@ -80,6 +80,12 @@ TEST_CASE("(P Q P') x = b is solved") {
     CHECK((system.Q * solution - b).cwiseAbs().maxCoeff() < 1e-12);
     CHECK(x.col(3).head(n) == Vector::Zero(n));
     CHECK(x.row(n) == no_column);
+    RoughPoints rough(n + 1, 4);
+    rough << b.cast<float>(), Eigen::VectorXf::Zero(n), no_column.cast<float>();
+    solver.solve(system.symbolic, rough);
+    // Seven digits, of which the condition may cost three or four.
+    CHECK((rough.cast<double>() - x).cwiseAbs().maxCoeff() < 1e-3 * x.cwiseAbs().maxCoeff());
+    CHECK(rough.row(n) == no_column.cast<float>());
   }
 }
 

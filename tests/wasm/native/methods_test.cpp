@@ -29,6 +29,7 @@ using Field = QuadraticProblem::Field;
 /// E = ¼p⁴ - ½p² with Q the identity.
 struct DoubleWell {
   using Field = Eigen::MatrixXd;
+  using Direction = Field;
 
   double objective_and_gradient(const Field& p, Field& g) const {
     g(0) = p(0) * p(0) * p(0) - p(0);

@@ -8,6 +8,7 @@ namespace mass_spring {
 /// fourth column of zeros, as SIMD lanes like them.
 struct QuadraticProblem {
   using Field = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+  using Direction = Field;
 
   Vector h;  // #n, N/m, each at most 1
 
