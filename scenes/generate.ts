@@ -10,13 +10,14 @@ import { net } from './rules/net.ts';
 import { patch } from './rules/patch.ts';
 import { singleSpring } from './rules/single_spring.ts';
 import { skirt } from './rules/skirt.ts';
+import { square } from './rules/square.ts';
 import { tower } from './rules/tower.ts';
 import { triangle } from './rules/triangle.ts';
 import { writtenScene } from './rules/written_scene.ts';
 
 const folder = process.argv[2] ?? import.meta.dirname;
 
-const scenes = [singleSpring(), triangle(), chain(), patch(), net(), flag(), skirt(), tower()];
+const scenes = [singleSpring(), triangle(), square(), chain(), patch(), net(), flag(), skirt(), tower()];
 const files = scenes.flatMap((scene) => [...writtenScene(scene)]);
 files.push(['scene.schema.json', `${jsonText(toJSONSchema(sceneFileSchema, { io: 'input' }))}\n`]);
 

@@ -34,6 +34,7 @@ function reachable(scene: Scene): number {
 describe.each([
   { name: 'single-spring-horizontal', vertices: 2, springs: 1, pins: 1 },
   { name: 'triangle', vertices: 3, springs: 3, pins: 1 },
+  { name: 'square', vertices: 4, springs: 4, pins: 2 },
   { name: 'horizontal-chain', vertices: 10, springs: 9, pins: 2 },
   { name: 'patch', vertices: 9, springs: 12, pins: 2 },
   { name: 'net', vertices: 61, springs: 120, pins: 6 },

@@ -21,6 +21,7 @@ const urls = Object.fromEntries(
 export const librarySceneNames = [
   'single-spring-horizontal',
   'triangle',
+  'square',
   'horizontal-chain',
   'patch',
   'net',

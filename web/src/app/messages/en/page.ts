@@ -146,6 +146,7 @@ export const page = {
   scenes: {
     'single-spring-horizontal': 'Single spring',
     triangle: 'Triangle',
+    square: 'Square',
     'horizontal-chain': 'Chain',
     patch: 'Patch',
     net: 'Net',

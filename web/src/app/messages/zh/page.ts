@@ -140,6 +140,7 @@ export const page = {
   scenes: {
     'single-spring-horizontal': '单根弹簧',
     triangle: '三角形',
+    square: '正方形',
     'horizontal-chain': '链',
     patch: '小网片',
     net: '网',
