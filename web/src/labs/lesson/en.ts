@@ -11,6 +11,10 @@ export const en = {
     hint: 'A hint',
     answer: 'The answer',
   },
+  stepper: {
+    back: 'One step back',
+    forward: 'One step on',
+  },
   slip: {
     label: 'A slip in print',
     printed: 'printed',

@@ -14,6 +14,10 @@ export const zh: Catalogue<typeof en> = {
     hint: '提示',
     answer: '答案',
   },
+  stepper: {
+    back: '后退一步',
+    forward: '前进一步',
+  },
   slip: {
     label: '印刷有误',
     printed: '原文',

@@ -14,6 +14,8 @@ export interface Series {
   points: readonly (readonly [x: number, y: number])[];
   /** Dots without a line between them: measurements. */
   dots?: boolean;
+  /** A law fitted to the last of the points, drawn through the dots. */
+  law?: Series['points'];
 }
 
 export interface ChartAxis {
@@ -48,6 +50,8 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
     x: toPlace(across, margin.left, width - margin.right),
     y: toPlace(along, height - margin.bottom, margin.top),
   };
+  const placed = (points: Series['points']): Place[] =>
+    points.filter((point) => point.every(Number.isFinite)).map(([a, b]) => [place.x(a), place.y(b)]);
 
   return (
     <figure class="line-chart">
@@ -86,15 +90,11 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
               <rect x={margin.left} y={0} width={width - margin.left} height={height - margin.bottom} />
             </clipPath>
             <g clip-path={`url(#${frame})`}>
-              {series.map(({ name, points, dots }, at) => (
-                <Curve
-                  key={name}
-                  places={points
-                    .filter((point) => point.every(Number.isFinite))
-                    .map(([a, b]) => [place.x(a), place.y(b)])}
-                  dots={dots ?? false}
-                  at={at}
-                />
+              {series.map(({ name, points, dots = false, law }, at) => (
+                <g key={name} class={`curve curve-${at}`}>
+                  {dots ? <Dots places={placed(points)} /> : <Line places={placed(points)} />}
+                  {law && <Line places={placed(law)} />}
+                </g>
               ))}
             </g>
           </svg>
@@ -104,10 +104,11 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
         <Phrase text={x.label} />
       </p>
       <ul class="line-chart-names">
-        {series.map(({ name, dots }, at) => (
+        {series.map(({ name, dots = false, law }, at) => (
           <li key={name}>
             <svg width="28" height="10" aria-hidden="true" class={`curve curve-${at}`}>
-              {dots ? <circle cx="14" cy="5" r="3.5" /> : <path d="M0 5H28" />}
+              {dots && <circle cx="14" cy="5" r="3.5" />}
+              {(!dots || law) && <path d="M0 5H28" />}
             </svg>
             {name}
           </li>
@@ -121,16 +122,18 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
   );
 }
 
-function Curve({ places, dots, at }: { places: readonly Place[]; dots: boolean; at: number }) {
+function Dots({ places }: { places: readonly Place[] }) {
   return (
-    <g class={`curve curve-${at}`}>
-      {dots ? (
-        places.map(([x, y]) => <circle key={x} cx={x} cy={y} r={3.5} />)
-      ) : (
-        <path d={places.map(([x, y], at) => `${at === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('')} />
-      )}
-    </g>
+    <>
+      {places.map(([x, y]) => (
+        <circle key={x} cx={x} cy={y} r={3.5} />
+      ))}
+    </>
   );
+}
+
+function Line({ places }: { places: readonly Place[] }) {
+  return <path d={places.map(([x, y], at) => `${at === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('')} />;
 }
 
 function axisRange({ logarithmic = false, range }: ChartAxis, series: readonly Series[], coordinate: 0 | 1): Range {
