@@ -26,7 +26,7 @@ export async function startSolver(client: SolverClient): Promise<void> {
 let fetched: Promise<ArrayBuffer> | null = null;
 
 /** Once for all solvers, and again after a failure. */
-function fetchSolver(): Promise<ArrayBuffer> {
+export function fetchSolver(): Promise<ArrayBuffer> {
   fetched ??= fetchBytes(wasmUrl).catch((reason: Error) => {
     fetched = null;
     throw new Obstacle('page.errors.wasmMissing', { url: wasmUrl, reason: reason.message });

@@ -1,0 +1,34 @@
+import { expose } from 'comlink';
+import createSolver from '#wasm/solver.js';
+import type { Parameters } from './module.ts';
+import type { Outcome, Pins, Problem } from './protocol.ts';
+import { type SceneTime, timeScene } from './time_scene.ts';
+import { type RefactorisingTime, type SolvingTime, timeRefactorising, timeSolving } from './time_solving.ts';
+
+/** What a worker of its own times, so that neither the page nor a simulation waits. Whoever wants it to stop ends the worker. */
+export interface TimingService {
+  /** Compiles the module. Call once, before anything else. */
+  start(wasmBinary: ArrayBuffer): Promise<void>;
+  timeSolving(sides: readonly number[], report: (time: SolvingTime) => void): Promise<void>;
+  timeRefactorising(side: number, iterations: number): Promise<Record<'dense' | 'sparse', RefactorisingTime>>;
+  timeScene(problem: Problem, pins: Pick<Pins, 'pinned'>, parameters: Parameters): Promise<Outcome<SceneTime>>;
+}
+
+let solver: Awaited<ReturnType<typeof createSolver>>;
+
+const service: TimingService = {
+  async start(wasmBinary) {
+    solver = await createSolver({ wasmBinary });
+  },
+  async timeSolving(sides, report) {
+    timeSolving(solver, sides, report);
+  },
+  async timeRefactorising(side, iterations) {
+    return timeRefactorising(solver, side, iterations);
+  },
+  async timeScene(problem, pins, parameters) {
+    return timeScene(solver, problem, pins, parameters);
+  },
+};
+
+expose(service);
