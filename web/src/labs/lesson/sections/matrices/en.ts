@@ -1,3 +1,69 @@
+const { raw } = String;
+
 export const en = {
-  intro: 'This section is being written.',
+  intro: raw`
+The formulas so far have one index for every vertex and two for every spring. They are right, and slow to write, to read and to compute. Written with matrices, the loops over vertices and springs become products, and two steps of algebra lead to the linear system that the global step solves.
+
+Put the positions of all vertices under each other: $\symp$ has one row for every vertex and three columns. The vectors of all springs, $\symp_i - \symp_j$, are then one product. $\symA$ has a row for every spring, with $+1$ in the column of $i$ and $-1$ in that of $j$:
+
+$$\symv = \symA\symp$$`,
+  product: {
+    caption:
+      'Choose a spring, a row or an entry: the same thing lights up in the picture and in all three tables. Pull at a vertex: A stays, p and v change.',
+  },
+  trace: {
+    title: 'Sums of squares as traces',
+    text: raw`
+The sum of the squares of all entries of a matrix $\mathbf{X}$ is the trace $\operatorname{tr}(\mathbf{X}^{\mathrm T}\mathbf{X})$: its diagonal holds the squared length of every column. So the springs, with $\symd$ held as in [the last section](trick), are
+
+$$\sum_{ij} \tfrac12\symk\lVert(\symp_i - \symp_j) - \symd_{ij}\rVert^2 = \tfrac12\symk\operatorname{tr}\bigl((\symA\symp - \symd)^{\mathrm T}(\symA\symp - \symd)\bigr)$$
+
+and inertia, with the masses on the diagonal of $\symM$ and $\mathbf{q} = \symp - 2\sympCurr + \sympPrev$,
+
+$$\syminertia = \tfrac{1}{2\symdeltaT^2}\operatorname{tr}\bigl(\mathbf{q}^{\mathrm T}\symM\,\mathbf{q}\bigr).$$`,
+    check: 'Both sides now: the sum over springs is {{sum}}, half k times the trace is {{trace}}.',
+  },
+  collect: {
+    title: 'Collect what multiplies p',
+    text: raw`
+Where a function is least, its gradient vanishes. The gradient of a trace of squares is as simple as that of a square: $\operatorname{tr}(\mathbf{X}^{\mathrm T}\mathbf{X})$ has $2\mathbf{X}$. Set the sum of all gradients to zero and put everything that multiplies $\symp$ on the left:
+
+$$\bigl(\symk\symA^{\mathrm T}\symA + \tfrac{1}{\symdeltaT^2}\symM + \symw\symC^{\mathrm T}\symC\bigr)\,\symp = \symk\symA^{\mathrm T}\symd + \symy$$
+
+The bracket is $\symQ$, the right side $\symb$. What does not change while $\symp$ and $\symd$ take turns is gathered in $\symy$:
+
+$$\symy = \tfrac{1}{\symdeltaT^2}\symM\,(2\sympCurr - \sympPrev) + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget$$
+
+$$\symQ\symp = \symb$$
+
+$\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
+    caption: 'Switch the terms of Q on and off. Which of them puts something beside the diagonal?',
+    terms: 'Terms of Q',
+    springs: 'springs',
+    masses: 'masses',
+    pins: 'pins',
+  },
+  changes: {
+    ask: raw`You pull at a vertex. Which of $\symA$, $\symM$, $\symQ$, $\symp$, $\symd$ and $\symb$ change? And which when you change $\symk$?`,
+    hint: raw`Look for $\symp$ in the definition of each.`,
+    answer: raw`Nothing with a capital letter knows where the vertices are. $\symQ$ depends on the springs, $\symk$, the masses, $\symdeltaT$, the pinned set and $\symw$, and stays as it is from step to step; that is why it is worth factorising once. $\symp$, $\symd$ and $\symb$ change in every half-step. Try both below.`,
+    caption: 'What the last change changed is marked.',
+    changed: 'changed',
+    same: 'as it was',
+  },
+  laplacian: {
+    ask: raw`What stands in row $i$ of $\symA^{\mathrm T}\symA$?`,
+    hint: raw`Entry $(i, j)$ is the product of two columns of $\symA$: go through the springs and see where both have something.`,
+    answer: raw`On the diagonal, how many springs vertex $i$ has: each contributes $(\pm1)^2$. Beside it, $-1$ for every vertex that a spring joins to $i$, and zero for all others. Rows add up to zero. In other fields the matrix is called the **graph Laplacian**. In the table above, with springs alone switched on, it is multiplied by $\symk$.`,
+  },
+  columns: {
+    ask: raw`Why three columns, and not one long vector with $3n$ entries?`,
+    hint: raw`Does the $x$ of one vertex occur in the equation for the $y$ of another?`,
+    answer: raw`With $\symd$ held, it does not: the three columns of $\symQ\symp = \symb$ are three systems with the same matrix. One factorisation serves all three, and the matrix is a third as wide. Newton’s method has no such luck: there $x$, $y$ and $z$ mix, and the matrix is $3n \times 3n$ and new in every iteration.`,
+  },
+  sources: {
+    j: '[J] Alec Jacobson, Mass-Spring Systems: matrices, traces and the global step.',
+    l: '[L] Liu, Bargteil, O’Brien, Kavan, 2013: section 4, where A and its Laplacian appear per spring.',
+    b: 'Stephen Boyd, Lieven Vandenberghe, Introduction to Applied Linear Algebra: incidence matrices (chapter 7), least squares (chapter 12).',
+  },
 };
