@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { seriousViolations } from './support/axe.ts';
 import { expect, open, test } from './support/page.ts';
+import { countPixels } from './support/pixels.ts';
 
 const lab = './#/springs?scene="net"&selection={"spring":12,"vertex":7}';
 
@@ -61,6 +62,47 @@ test('the keyboard reaches the card’s link and comes back to where it was', as
   await page.keyboard.press('Enter');
   await page.keyboard.press('Tab');
   await expect(button).toBeFocused();
+});
+
+/** Of the glow around what is marked in 3D, #ffd60a, smoothed at its edges. */
+const glowing = (page: Page, view: 'local' | 'global') =>
+  countPixels(page.locator(`[data-view="${view}"]`), (r, g, b) => r > 220 && g > 180 && b < 120);
+
+test('d in an equation makes the torn springs glow, p the vertices of the net', async ({ page }) => {
+  await openLab(page);
+  const before = { local: await glowing(page, 'local'), global: await glowing(page, 'global') };
+  expect(before.local).toBeGreaterThan(0); // the selected spring and vertex
+  await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'projected springs' }).focus();
+  // 120 springs instead of one: ten times is far from the one and from the other
+  await expect.poll(() => glowing(page, 'local')).toBeGreaterThan(10 * before.local);
+  expect(await glowing(page, 'global')).toBeLessThan(2 * before.global);
+  await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'positions' }).focus();
+  await expect.poll(() => glowing(page, 'global')).toBeGreaterThan(2 * before.global);
+  await page.keyboard.press('Escape');
+  await expect.poll(() => glowing(page, 'local')).toBe(before.local);
+});
+
+test('a spring under the mouse marks d in its equation, a vertex p, and none of them nothing', async ({ page }) => {
+  await openLab(page);
+  const lit = async () => (await page.locator('html').getAttribute('data-lit'))?.split(' ') ?? [];
+  const view = await page.locator('[data-view="local"]').boundingBox();
+  const sweep = async (id: string) => {
+    const { x, y, width, height } = view as NonNullable<typeof view>;
+    for (let down = 0; down < height; down += 2) {
+      await page.mouse.move(x + 0.37 * width, y + down);
+      if ((await lit()).includes(id)) return;
+    }
+    throw new Error(`nothing on the way marks ${id}`);
+  };
+  await sweep('d');
+  await expect(occurrences(page, '.half-local .equation-formulas', 'd').first()).toHaveCSS('box-shadow', marked);
+  expect(await lit()).not.toContain('p');
+  await page.mouse.move(5, 5);
+  await expect(occurrences(page, '.half-local .equation-formulas', 'd').first()).not.toHaveCSS('box-shadow', marked);
+  const pin = await page.locator('.pin-handle').boundingBox();
+  await page.mouse.move((pin?.x ?? 0) + 12, (pin?.y ?? 0) + 12);
+  await expect(occurrences(page, '.half-global .equation-formulas', 'p').first()).toHaveCSS('box-shadow', marked);
+  expect(await lit()).not.toContain('d');
 });
 
 test('the card and the code are clean for axe, in both languages', async ({ page }) => {

@@ -39,6 +39,12 @@ describe('a symbol pointed at', () => {
     expect(litThings(other)).toEqual({ spring: null, vertex: null });
   });
 
+  it('can be left out where a picture draws something else', () => {
+    point({ symbols: ['v'], figure });
+    expect(areAllLit('spring', 'd')).toBe(true);
+    expect(areAllLit('spring', 'v')).toBe(false);
+  });
+
   it('that is a single number lights no thing', () => {
     point({ symbols: ['k'], figure });
     expect(litThings(figure)).toEqual({ spring: null, vertex: null });

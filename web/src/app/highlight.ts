@@ -39,8 +39,8 @@ export function litThings(figure: Figure): Selection {
   };
 }
 
-/** Whether a symbol stands for all springs, or all vertices, of every figure: pictures mark them as a whole. */
-export function areAllLit(thing: Thing): boolean {
+/** Whether a symbol other than `except` stands for all springs, or all vertices: pictures mark them as a whole. */
+export function areAllLit(thing: Thing, except?: SymbolId): boolean {
   const { symbols, spring, vertex } = highlighted.value;
-  return spring === null && vertex === null && symbols.some((id) => isAbout(id, thing));
+  return spring === null && vertex === null && symbols.some((id) => id !== except && isAbout(id, thing));
 }

@@ -107,5 +107,6 @@ export function followPointing(root: HTMLElement): void {
   });
   effect(() => {
     root.dataset.lit = litSymbols.value.join(' ');
+    root.dataset.litBy = highlighted.value.symbols.length > 0 ? 'symbol' : 'thing';
   });
 }

@@ -8,6 +8,7 @@ import './colours.css';
 export function symbolStyle(): string {
   const colours = symbolIds.map((id) => `[data-sym="${id}"] { color: var(${symbols[id].colour}); }`);
   const lit = symbolIds.map((id) => `[data-lit~="${id}"] [data-sym="${id}"]`);
-  const mark = 'background: color-mix(in srgb, currentColor 22%, transparent); box-shadow: 0 2px 0 currentColor';
+  const mark =
+    'background: color-mix(in srgb, currentColor var(--symbol-mark), transparent); box-shadow: 0 2px 0 currentColor';
   return [...colours, `:where(${lit.join(', ')}) { border-radius: 2px; ${mark}; }`].join('\n');
 }

@@ -30,6 +30,7 @@ let orbitCamera: OrbitCamera;
 let interaction: Interaction;
 const callbacks = {
   onInvalidate: vi.fn<Scene3DCallbacks['onInvalidate']>(),
+  onHover: vi.fn<Scene3DCallbacks['onHover']>(),
   onSelect: vi.fn<Scene3DCallbacks['onSelect']>(),
   onPinToggle: vi.fn<Scene3DCallbacks['onPinToggle']>(),
   onDragStart: vi.fn<Scene3DCallbacks['onDragStart']>(),
@@ -118,15 +119,13 @@ describe('a tap', () => {
 });
 
 describe('hovering', () => {
-  it('draws anew once for each thing the pointer rests on', () => {
-    const drawn = callbacks.onInvalidate.mock.calls.length;
+  it('tells once of each thing the pointer rests on', () => {
     const [x, y] = placeOf(0, 0, 0);
     canvas.send('pointermove', x, y);
     canvas.send('pointermove', x + 1, y);
-    expect(callbacks.onInvalidate).toHaveBeenCalledTimes(drawn + 1);
-    expect(interaction.hovered).not.toBeNull();
+    expect(callbacks.onHover).toHaveBeenCalledExactlyOnceWith({ view: 'global', kind: 'vertex', index: 1 });
     canvas.send('pointermove', ...placeOf(0, 0.5, 0));
-    expect(callbacks.onInvalidate).toHaveBeenCalledTimes(drawn + 2);
-    expect(interaction.hovered).toBeNull();
+    expect(callbacks.onHover).toHaveBeenCalledTimes(2);
+    expect(callbacks.onHover).toHaveBeenLastCalledWith(null);
   });
 });

@@ -1,22 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LegendScales } from '../../../../web/src/views/scene3d/legend_scales.ts';
-import { lightPalette } from '../../../../web/src/views/scene3d/palette.ts';
+import { LegendScales, type ScaleOptions } from '../../../../web/src/views/scene3d/legend_scales.ts';
 import { pieceLength } from '../../../../web/src/views/scene3d/spring_pieces.ts';
 import type { Stage } from '../../../../web/src/views/scene3d/stages.ts';
-import type { Scene3DOptions } from '../../../../web/src/views/scene3d/types.ts';
 
 const V = Float64Array.of(0, 0, 0, 1, 0, 0);
 const model = { V, E: Int32Array.of(0, 1), F: new Uint32Array(), texture: null, r: Float64Array.of(1) };
-const automatic: Scene3DOptions = {
-  exaggeration: 'automatic',
-  strainRange: 'automatic',
-  showSprings: true,
-  showSurface: true,
-  selectedSpring: null,
-  selectedVertex: null,
-  palette: lightPalette,
-};
+const automatic: ScaleOptions = { exaggeration: 'automatic', strainRange: 'automatic' };
 
 /** The spring stretched by `strain`, and moved by `moved` metres; null when it is whole, or does not move. */
 function stageWith(strain: number, moved: number | null, d: Float64Array | null = Float64Array.of(1, 0, 0)): Stage {

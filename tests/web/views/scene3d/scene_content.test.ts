@@ -18,8 +18,9 @@ const options: Scene3DOptions = {
   strainRange: 'automatic',
   showSprings: true,
   showSurface: true,
-  selectedSpring: 7,
-  selectedVertex: 7,
+  selected: { spring: 7, vertex: 7 },
+  pointedAt: { spring: null, vertex: null },
+  lit: { localSprings: false, globalSprings: false, vertices: false },
   palette: lightPalette,
 };
 
@@ -33,9 +34,8 @@ function played(): Scene3DFrame {
 function fakePictures() {
   const content = new SceneContent(createInk(), model, () => {});
   const sent = new Map<DataTexture, number>();
-  return (frame: Scene3DFrame, stage = stageOf(frame, 1), hovered: number | null = null) => {
-    const hit = hovered === null ? null : ({ view: 'local', kind: 'spring', index: hovered } as const);
-    content.refresh({ frame, stage }, options, 100, hit, new Vector3());
+  return (frame: Scene3DFrame, stage = stageOf(frame, 1), marked: Partial<Scene3DOptions> = {}) => {
+    content.refresh({ frame, stage }, { ...options, ...marked }, 100, new Vector3());
     const changed = new Set<DataTexture>();
     for (const { scene } of Object.values(content.views)) {
       scene.traverseVisible((object) => {
@@ -62,11 +62,12 @@ it('a played frame sends the points of each view, the pieces of the springs, the
   expect(draw(played())).toBe(2 * 3 * lines(vertexCount) + 4 * lines(springCount) + pins);
 });
 
-it('drawing the same frame again sends nothing, whatever the pointer rests on', () => {
+it('drawing the same frame again sends nothing, whatever is marked in it', () => {
   const draw = fakePictures();
   const frame = played();
   const stage = stageOf(frame, 1);
   draw(frame, stage);
   expect(draw(frame, stage)).toBe(0);
-  expect(draw(frame, stage, 12)).toBe(0);
+  expect(draw(frame, stage, { pointedAt: { spring: 12, vertex: null } })).toBe(0);
+  expect(draw(frame, stage, { lit: { localSprings: true, globalSprings: true, vertices: true } })).toBe(0);
 });

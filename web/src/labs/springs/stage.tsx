@@ -1,11 +1,12 @@
 import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
+import { areAllLit, highlighted, litThings, nothing } from '../../app/highlight.ts';
 import { drawingTime } from '../../app/measurements.ts';
 import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
 import { appliedTheme } from '../../app/preferences.ts';
-import { liveFrame, r, scene, state } from '../../app/state.ts';
+import { labFigure, liveFrame, r, scene, state } from '../../app/state.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
@@ -49,6 +50,7 @@ export function Stage({ actions }: { actions: Actions }) {
       effect(() => {
         if (r.value.length === 0) return;
         const { V, E, F, texture } = scene.value;
+        highlighted.value = nothing; // it was about another scene
         scene3D.value?.setScene({ V, E, F, texture, r: r.value });
         const { camera } = state.peek().view;
         if (camera) scene3D.value?.setCamera(camera);
@@ -62,9 +64,19 @@ export function Stage({ actions }: { actions: Actions }) {
       exaggeration: view.exaggeration,
       showSprings: view.springs,
       showSurface: view.surface,
-      selectedSpring: selection.spring,
-      selectedVertex: selection.vertex,
+      selected: selection,
       palette: appliedTheme.value === 'dark' ? darkPalette : lightPalette,
+    });
+  });
+
+  useSignalEffect(() => {
+    scene3D.value?.setOptions({
+      pointedAt: litThings(labFigure),
+      lit: {
+        localSprings: areAllLit('spring', 'v'), // v is what the other view draws
+        globalSprings: areAllLit('spring', 'd'),
+        vertices: areAllLit('vertex'),
+      },
     });
   });
 
@@ -84,6 +96,9 @@ export function Stage({ actions }: { actions: Actions }) {
 
 function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
   return {
+    onHover: (hit) => {
+      highlighted.value = hit ? { ...nothing, figure: labFigure, [hit.kind]: hit.index } : nothing;
+    },
     onSelect: (hit) => {
       if (hit?.kind === 'spring') actions.selectSpring(hit.index);
       if (hit?.kind === 'vertex') actions.selectVertex(hit.index);

@@ -9,7 +9,7 @@ import { joining } from './segment_ends.ts';
 import { Segments } from './segments.ts';
 import { springEnds } from './spring_pieces.ts';
 import type { Stage } from './stages.ts';
-import type { Strokes } from './strokes.ts';
+import { haloFor, type Strokes } from './strokes.ts';
 import { Surface } from './surface.ts';
 import { Table } from './table.ts';
 import type { Scene3DModel } from './types.ts';
@@ -18,6 +18,15 @@ import type { Scene3DModel } from './types.ts';
 const mostArrows = 160;
 /** Springs over a cloth show its mesh and leave its picture. */
 const presenceOnCloth = 0.4;
+/** CSS pixels: of vertices that crowd too much to be drawn otherwise. */
+const leastLitRadius = 1.5;
+
+/** What the reader wants to see, and what is marked as a whole. */
+interface Shown {
+  showSprings: boolean;
+  litSprings: boolean;
+  litVertices: boolean;
+}
 
 /** The net that the linear solve stitched together, and what moved. */
 export class GlobalView {
@@ -62,17 +71,24 @@ export class GlobalView {
     if (this.surface) this.scene.add(this.surface.mesh);
   }
 
-  setStyle(palette: Palette, strokes: Strokes, showSprings: boolean): void {
-    const { background } = palette;
+  setStyle(palette: Palette, strokes: Strokes, { showSprings, litSprings, litVertices }: Shown): void {
+    const { background, glow } = palette;
     const clothShown = this.surface?.mesh.visible ?? false;
     const spring = { width: strokes.spring, colour: palette.spring };
-    this.segments.mesh.visible = showSprings || !clothShown;
-    this.vertices.mesh.visible = this.segments.mesh.visible && strokes.vertex > 0;
+    const pale = clothShown && !litSprings;
+    this.segments.mesh.visible = showSprings || litSprings || !clothShown;
+    this.vertices.mesh.visible = litVertices || (this.segments.mesh.visible && strokes.vertex > 0);
     this.ghost.setStyle({ width: strokes.ghost, colour: palette.ghost });
-    this.segments.setStyle(
-      clothShown ? { ...spring, presence: presenceOnCloth } : { ...spring, halo: strokes.halo, haloColour: background },
-    );
-    this.vertices.setStyle({ radius: strokes.vertex, halo: 0, colour: palette.vertex, haloColour: background });
+    this.segments.setStyle({
+      ...spring,
+      ...(pale ? { presence: presenceOnCloth } : haloFor(litSprings, palette, strokes)),
+    });
+    this.vertices.setStyle({
+      radius: litVertices ? Math.max(strokes.vertex, leastLitRadius) : strokes.vertex,
+      halo: litVertices ? strokes.glow : 0,
+      colour: palette.vertex,
+      haloColour: glow,
+    });
     this.arrows.setStyle({
       width: strokes.arrow,
       colour: palette.arrow,

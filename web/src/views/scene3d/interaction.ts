@@ -143,6 +143,6 @@ export class Interaction {
     this.hovered = hit;
     if (hit?.view === before?.view && hit?.kind === before?.kind && hit?.index === before?.index) return;
     this.canvas.style.cursor = hit ? 'pointer' : '';
-    this.callbacks.onInvalidate();
+    this.callbacks.onHover(hit);
   }
 }

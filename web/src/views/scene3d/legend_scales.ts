@@ -15,6 +15,8 @@ const arrowPixels = 16;
 const typically = 0.8;
 const strongly = 0.95;
 
+export type ScaleOptions = Pick<Scene3DOptions, 'exaggeration' | 'strainRange'>;
+
 /** Chooses the automatic scales, and remembers them so that they change seldom. */
 export class LegendScales {
   private readonly model: Scene3DModel;
@@ -28,7 +30,7 @@ export class LegendScales {
   }
 
   /** The same object as before when no number changes. */
-  choose(stage: Stage, { exaggeration, strainRange }: Scene3DOptions, pixelsPerMetre: number): Scene3DLegend {
+  choose(stage: Stage, { exaggeration, strainRange }: ScaleOptions, pixelsPerMetre: number): Scene3DLegend {
     const manual = exaggeration === 'automatic' ? null : exaggeration;
     const wanted: Scene3DLegend = {
       localExaggeration: stage.d && (manual ?? this.chooseGapFactor(stage.torn, pixelsPerMetre)),

@@ -8,7 +8,7 @@ import { type SegmentStyle, Segments } from './segments.ts';
 import { pieceEnds, writePieces } from './spring_pieces.ts';
 import type { Stage } from './stages.ts';
 import { StrainShader } from './strain_shader.ts';
-import type { Strokes } from './strokes.ts';
+import { haloFor, type Strokes } from './strokes.ts';
 import { Table } from './table.ts';
 import type { Scene3DLegend, Scene3DModel } from './types.ts';
 
@@ -40,12 +40,12 @@ export class LocalView {
     this.scene.add(this.ghost.mesh, this.segments.mesh, this.overlay.group);
   }
 
-  setStyle(palette: Palette, strokes: Strokes): void {
+  setStyle(palette: Palette, strokes: Strokes, lit: boolean): void {
     const whole: SegmentStyle = { width: strokes.spring };
     const piece = this.torn ? { ...whole, dot: strokes.pieceDot, within: true } : whole;
     this.ghost.mesh.visible = this.torn && strokes.pieceGhost > 0;
     this.ghost.setStyle({ width: strokes.pieceGhost, colour: palette.ghost });
-    this.segments.setStyle({ ...piece, halo: strokes.halo, haloColour: palette.background });
+    this.segments.setStyle({ ...piece, ...haloFor(lit, palette, strokes) });
     this.strainShader.setScale(palette.strain);
     this.overlay.setStyle(palette, strokes, piece);
   }

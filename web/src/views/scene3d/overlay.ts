@@ -1,4 +1,5 @@
 import { Group } from 'three';
+import type { Selection } from '../../app/state.ts';
 import type { Glsl } from './glsl.ts';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
@@ -9,31 +10,25 @@ import { type SegmentStyle, Segments } from './segments.ts';
 import type { Strokes } from './strokes.ts';
 import type { Table } from './table.ts';
 
-/** A spring or a vertex to point out; both or neither may be. */
-export interface Highlighted {
-  spring: number | null;
-  vertex: number | null;
-}
-
 /** CSS pixels: dashes of a leash, and how far a vertex must be from where its pin holds it for the leash to be drawn. */
 const leash = { width: 1.25, dash: 3, shortest: 4 };
 
-/** What lies over a view's springs: the pins, what is selected and what the pointer rests on. */
+/** What lies over a view's springs: the pins, what is selected and what is pointed at. */
 export class Overlay {
   readonly group = new Group();
   private readonly pins: Marks;
   /** From each pinned vertex to where its pin will pull it. */
   private readonly leashes: Segments;
   private readonly selected: Highlight;
-  private readonly hovered: Highlight;
+  private readonly pointedAt: Highlight;
 
   /** `points` #V×3 and `springEnds` as this view draws them. */
   constructor(ink: Ink, vertexCount: number, tables: NetTables, points: Table, springEnds: Glsl) {
     this.pins = new Marks(ink, 'pin', vertexCount, 'diamond', tables.targets);
     this.leashes = new Segments(ink, 'arrow', vertexCount, joining(tables.pins, points, tables.targets));
-    this.hovered = new Highlight(ink, points, springEnds);
+    this.pointedAt = new Highlight(ink, points, springEnds);
     this.selected = new Highlight(ink, points, springEnds);
-    this.group.add(this.hovered.group, this.selected.group, this.leashes.mesh, this.pins.mesh);
+    this.group.add(this.pointedAt.group, this.selected.group, this.leashes.mesh, this.pins.mesh);
   }
 
   /** `spring`: how this view draws its springs. */
@@ -42,18 +37,18 @@ export class Overlay {
     this.pins.setStyle({ radius: strokes.pin, halo: strokes.pinHalo, colour: pin, haloColour: background });
     this.leashes.setStyle({ ...leash, colour: pin });
     this.selected.setStyle(palette, strokes, { ...spring, width: spring.width + 1 }, 3);
-    this.hovered.setStyle(palette, strokes, spring, 1.5);
+    this.pointedAt.setStyle(palette, strokes, spring, 1.5);
   }
 
-  show(pinCount: number, selected: Highlighted, hovered: Highlighted): void {
+  show(pinCount: number, selected: Selection, pointedAt: Selection): void {
     this.pins.show(0, pinCount);
     this.leashes.show(0, pinCount);
     this.selected.show(selected);
-    this.hovered.show(hovered);
+    this.pointedAt.show(pointedAt);
   }
 
   dispose(): void {
-    for (const part of [this.pins, this.leashes, this.selected, this.hovered]) part.dispose();
+    for (const part of [this.pins, this.leashes, this.selected, this.pointedAt]) part.dispose();
   }
 }
 
@@ -74,7 +69,7 @@ class Highlight {
     this.ring.setStyle({ radius: strokes.vertex + 3 + weight, halo: weight, colour: selected, haloColour: glow });
   }
 
-  show({ spring, vertex }: Highlighted): void {
+  show({ spring, vertex }: Selection): void {
     this.spring.mesh.visible = spring !== null;
     this.ring.mesh.visible = vertex !== null;
     if (spring !== null) this.spring.show(spring, 1);

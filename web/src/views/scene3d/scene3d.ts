@@ -46,8 +46,9 @@ export class Scene3D {
     exaggeration: 'automatic',
     showSprings: true,
     showSurface: true,
-    selectedSpring: null,
-    selectedVertex: null,
+    selected: { spring: null, vertex: null },
+    pointedAt: { spring: null, vertex: null },
+    lit: { localSprings: false, globalSprings: false, vertices: false },
     palette: lightPalette,
     strainRange: 'automatic',
   };
@@ -126,7 +127,6 @@ export class Scene3D {
       staged,
       this.options,
       this.orbitCamera.pixelsPerMetre(this.viewports.height),
-      this.interaction.hovered,
       camera.position,
     );
     if (legend !== this.legend) this.callbacks.onLegend(legend);

@@ -7,7 +7,7 @@ import { LocalView } from './local_view.ts';
 import { NetTables } from './net_tables.ts';
 import type { Stage, StagedFrame } from './stages.ts';
 import { type Strokes, strokesFor } from './strokes.ts';
-import type { Hit, Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
+import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
 /** Everything allocated for one scene. */
 export class SceneContent {
@@ -35,15 +35,9 @@ export class SceneContent {
   }
 
   /** Makes both views ready to be drawn; writes and sends tables only when what they hold has changed. */
-  refresh(
-    { frame, stage }: StagedFrame,
-    options: Scene3DOptions,
-    pixelsPerMetre: number,
-    hovered: Hit | null,
-    eye: Vector3,
-  ): Scene3DLegend {
+  refresh({ frame, stage }: StagedFrame, options: Scene3DOptions, pixelsPerMetre: number, eye: Vector3): Scene3DLegend {
     const { local, global } = this.views;
-    const { palette, showSprings, showSurface, selectedSpring, selectedVertex } = options;
+    const { palette, showSprings, showSurface, selected, pointedAt, lit } = options;
     const strokes = this.strokesAt(this.typicalRestLength * pixelsPerMetre);
     const legend = this.scales.choose(stage, options, pixelsPerMetre);
     const { shown } = this;
@@ -53,14 +47,9 @@ export class SceneContent {
       global.update(stage, legend.globalExaggeration, showSurface);
       this.shown = { stage, legend, showSurface };
     }
-    local.setStyle(palette, strokes);
-    global.setStyle(palette, strokes, showSprings);
+    local.setStyle(palette, strokes, lit.localSprings);
+    global.setStyle(palette, strokes, { showSprings, litSprings: lit.globalSprings, litVertices: lit.vertices });
     global.lightFrom(eye);
-    const selected = { spring: selectedSpring, vertex: selectedVertex };
-    const pointedAt = {
-      spring: hovered?.kind === 'spring' ? hovered.index : null,
-      vertex: hovered?.kind === 'vertex' ? hovered.index : null,
-    };
     for (const { overlay } of [local, global]) overlay.show(frame.pinned.length, selected, pointedAt);
     return legend;
   }

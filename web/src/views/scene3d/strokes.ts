@@ -1,3 +1,5 @@
+import type { Palette } from './palette.ts';
+
 /**
  * Line weights and sizes in CSS pixels. They follow how long a typical spring appears on the screen, so that a net of ten springs
  * and one of ten thousand both read.
@@ -16,6 +18,8 @@ export interface Strokes {
   arrow: number;
   arrowHead: number;
   halo: number;
+  /** The glow of what is marked as a whole. */
+  glow: number;
 }
 
 export function strokesFor(springPixels: number): Strokes {
@@ -32,5 +36,13 @@ export function strokesFor(springPixels: number): Strokes {
     arrow: between(1.5, 2.5, 0.035),
     arrowHead: between(6, 11, 0.15),
     halo: roomy ? between(0.8, 2, 0.022) : 0,
+    glow: between(1, 3, 0.05),
   };
+}
+
+/** What parts a stroke from those behind it: a gap, or a glow where it is marked. */
+export function haloFor(lit: boolean, palette: Palette, strokes: Strokes): { halo: number; haloColour: string } {
+  return lit
+    ? { halo: strokes.glow, haloColour: palette.glow }
+    : { halo: strokes.halo, haloColour: palette.background };
 }

@@ -1,4 +1,4 @@
-import type { Camera } from '../../app/state.ts';
+import type { Camera, Selection } from '../../app/state.ts';
 import type { Scene } from '../../scene/scene.ts';
 import type { Frame } from '../../solver/frame.ts';
 import type { Palette } from './palette.ts';
@@ -20,8 +20,11 @@ export interface Scene3DOptions {
   /** What the global view draws; springs anyway when the scene has no triangles. */
   showSprings: boolean;
   showSurface: boolean;
-  selectedSpring: number | null;
-  selectedVertex: number | null;
+  selected: Selection;
+  /** Under the pointer, here or wherever else on the page the same is shown. */
+  pointedAt: Selection;
+  /** Marked as a whole, since a symbol is pointed at that stands for all of them. */
+  lit: { localSprings: boolean; globalSprings: boolean; vertices: boolean };
   palette: Palette;
   /** |strain| (dimensionless) drawn in full colour. */
   strainRange: number | 'automatic';
@@ -45,6 +48,8 @@ export interface Hit {
 export interface Scene3DCallbacks {
   /** Something changed that only `render()` will show: call it in the next animation frame. */
   onInvalidate(): void;
+  /** What a mouse rests on has changed. */
+  onHover(hit: Hit | null): void;
   /** A click or tap; null on empty space. */
   onSelect(hit: Hit | null): void;
   /** A click with shift on a vertex. */
