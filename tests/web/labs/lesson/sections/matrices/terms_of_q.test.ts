@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
+import { changesBetween } from '../../../../../../web/src/labs/lesson/figures/changes.ts';
 import { denseValues } from '../../../../../../web/src/labs/lesson/figures/dense_values.ts';
-import { changesBetween } from '../../../../../../web/src/labs/lesson/sections/matrices/changes.ts';
 import { sumOf } from '../../../../../../web/src/labs/lesson/sections/matrices/terms_of_q.ts';
 import { openSimulation } from '../../../../../support/open_simulation.ts';
 import { net, usualParameters } from '../../../../../support/small_scenes.ts';

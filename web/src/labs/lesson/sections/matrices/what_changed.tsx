@@ -2,12 +2,12 @@ import { useRef } from 'preact/hooks';
 import { symbolCommand } from '../../../../notation/macros.ts';
 import type { SymbolId } from '../../../../notation/symbols.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
+import { changesBetween, type Numbers } from '../../figures/changes.ts';
 import { denseValues } from '../../figures/dense_values.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import { type Seen, useInspection } from '../../figures/use_inspection.ts';
-import { changesBetween, type Numbers } from './changes.ts';
 
 const hanging: FigureSettings = {
   scene: 'patch',

@@ -1,9 +1,54 @@
+import type { FigureSettings } from '../../figures/figure_session.ts';
+import { useFigure } from '../../figures/use_figure.ts';
+import type { AtPoint } from '../../gradient_check.tsx';
 import { Prose } from '../../prose.tsx';
+import { Question } from '../../question.tsx';
+import { Slip } from '../../slip.tsx';
+import { Sources } from '../../sources.tsx';
 import { inLanguage } from '../../text.ts';
+import { ChangeCounters } from './change_counters.tsx';
+import { Eliminated } from './eliminated.tsx';
 import { en } from './en.ts';
+import { printedPinEnergy } from './printed_pin_energy.ts';
+import { SelectedRows } from './selected_rows.tsx';
+import { WeakPin } from './weak_pin.tsx';
 import { zh } from './zh.ts';
+import './pins.css';
+
+const penalised: FigureSettings = {
+  scene: 'triangle',
+  parameters: { w: 1e3 },
+  selection: { spring: 0, vertex: 1 },
+  opening: [{ kind: 'play', steps: 3 }],
+};
 
 export function Pins() {
   const words = inLanguage({ en, zh });
-  return <Prose text={words.intro} />;
+  const figure = useFigure(penalised);
+  return (
+    <>
+      <Prose text={words.intro} />
+      <h3>{words.weak.title}</h3>
+      <Prose text={words.weak.text} />
+      <WeakPin figure={figure} caption={words.caption} words={words.weak} />
+      <h3>{words.elimination.title}</h3>
+      <Prose text={words.elimination.text} />
+      <Eliminated words={words.elimination} />
+      <Question ask={words.every.ask} hint={words.every.hint} answer={words.every.answer}>
+        <SelectedRows caption={words.every.caption} />
+      </Question>
+      <Question {...words.product} />
+      <Question ask={words.again.ask} hint={words.again.hint} answer={words.again.answer}>
+        <ChangeCounters words={words.again} />
+      </Question>
+      <Slip
+        figure={figure}
+        printed={words.slip.printed}
+        right={words.slip.right}
+        why={words.slip.why}
+        printedEnergy={(at: AtPoint) => printedPinEnergy(at, figure.scene.value.V)}
+      />
+      <Sources items={words.sources} />
+    </>
+  );
 }

@@ -1,4 +1,4 @@
-import type { SymbolId } from '../../../../notation/symbols.ts';
+import type { SymbolId } from '../../../notation/symbols.ts';
 
 /** What some symbols are at a moment. */
 export type Numbers = Partial<Record<SymbolId, Float64Array>>;

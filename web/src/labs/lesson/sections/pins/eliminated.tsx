@@ -1,0 +1,22 @@
+import { denseValues } from '../../figures/dense_values.ts';
+import { Figure } from '../../figures/figure.tsx';
+import type { FigureSettings } from '../../figures/figure_session.ts';
+import { useFigure } from '../../figures/use_figure.ts';
+import { useInspection } from '../../figures/use_inspection.ts';
+import { PlainMatrix } from './plain_matrix.tsx';
+
+const held: FigureSettings = { scene: 'triangle', selection: { spring: 0, vertex: 1 } };
+
+/** What is left of Q when the pinned vertices are no unknowns. */
+export function Eliminated({ words }: { words: Record<'caption' | 'left', string> }) {
+  const figure = useFigure(held);
+  const seen = useInspection(figure);
+  const free = seen ? Array.from(seen.m, (_, i) => i).filter((i) => !seen.frame.pinned.includes(i)) : [];
+  return (
+    <Figure figure={figure} pictures={['net']} sliders={['k', 'mass_scale']} caption={words.caption}>
+      <div class="pins-room">
+        {seen && <PlainMatrix caption={words.left} values={denseValues(seen.Q)} size={seen.Q.rows} vertices={free} />}
+      </div>
+    </Figure>
+  );
+}
