@@ -50,7 +50,11 @@ export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
       {drawing && (
         <svg viewBox={`0 0 ${width} ${drawing.plane.height}`} width={width} height={drawing.plane.height}>
           <title>{name}</title>
-          {behind && <g class="behind">{behind(drawing)}</g>}
+          {behind && (
+            <svg class="behind" width={width} height={drawing.plane.height}>
+              {behind(drawing)}
+            </svg>
+          )}
           {mode === 'torn' ? <TornSprings {...drawing} /> : <Net {...drawing} arrows={arrows} />}
         </svg>
       )}
