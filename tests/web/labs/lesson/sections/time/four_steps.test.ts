@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
-import { totalEnergy } from '../../../../../../web/src/labs/lesson/figures/total_energy.ts';
 import { steps } from '../../../../../../web/src/labs/lesson/sections/time/steps.ts';
 import { sceneParameters } from '../../../../../../web/src/solver/scene_parameters.ts';
+import { energyOf } from '../../../../../support/energy_of.ts';
 import { openScene } from '../../../../../support/open_scene.ts';
 import { expectOk, openSimulation } from '../../../../../support/open_simulation.ts';
 
@@ -10,16 +10,12 @@ const triangle = await openScene('triangle');
 /** J: what the energy has changed by after each time step of five seconds. */
 function changes(delta_t: number): number[] {
   const s = openSimulation(triangle, { ...sceneParameters(triangle), delta_t });
-  const energy = (now: Float64Array, before: Float64Array) => {
-    const evaluations = [{ ...s.objective_at(now), gradient: new Float64Array() }];
-    return totalEnergy({ m: triangle.m, evaluations }, { time: 0, delta_t, now, before });
-  };
-  const start = energy(triangle.V, triangle.V);
+  const start = energyOf(s, delta_t, triangle.V, triangle.V);
   let before = triangle.V;
   return Array.from({ length: Math.round(5 / delta_t) }, () => {
     expectOk(s.step());
     const now = s.p().slice();
-    const change = energy(now, before) - start;
+    const change = energyOf(s, delta_t, now, before) - start;
     before = now;
     return change;
   });

@@ -12,7 +12,6 @@ $$\symvelocity_i \approx \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}$$
 
 Acceleration is to velocity what velocity is to position. The velocity of the coming step, minus that of the last one, divided by
 $\symdeltaT$:`,
-    acceleration: raw`\begin{aligned}\syma_i &\approx \frac{1}{\symdeltaT}\left(\frac{\symp_i - \sympCurr_i}{\symdeltaT} - \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}\right)\\[4pt] &= \frac{\symp_i - 2\sympCurr_i + \sympPrev_i}{\symdeltaT^2}\end{aligned}`,
     roles: raw`Three moments meet in this fraction, and they do not play the same part:
 
 - $\sympPrev$ and $\sympCurr$, one step ago and now, are **known**;

@@ -24,6 +24,10 @@ const swing: FigureSettings = {
   opening: [{ kind: 'play', steps: 5 }],
 };
 
+const { raw } = String;
+
+const acceleration = raw`\begin{aligned}\syma_i &\approx \frac{1}{\symdeltaT}\left(\frac{\symp_i - \sympCurr_i}{\symdeltaT} - \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}\right)\\[4pt] &= \frac{\symp_i - 2\sympCurr_i + \sympPrev_i}{\symdeltaT^2}\end{aligned}`;
+
 export function Time() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(swing);
@@ -36,7 +40,7 @@ export function Time() {
       <Prose text={words.intro} />
       <h3>{words.differences.title}</h3>
       <Prose text={words.differences.velocity} />
-      <Display tex={words.differences.acceleration} />
+      <Display tex={acceleration} />
       <Prose text={words.differences.roles} />
       <Figure
         figure={figure}

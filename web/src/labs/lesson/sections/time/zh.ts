@@ -13,7 +13,6 @@ $\symdeltaT$，其间什么也没有记录。因此，速度和加速度只能�
 $$\symvelocity_i \approx \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}$$
 
 加速度之于速度，正如速度之于位置。用下一步的速度减去上一步的速度，再除以 $\symdeltaT$：`,
-    acceleration: raw`\begin{aligned}\syma_i &\approx \frac{1}{\symdeltaT}\left(\frac{\symp_i - \sympCurr_i}{\symdeltaT} - \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}\right)\\[4pt] &= \frac{\symp_i - 2\sympCurr_i + \sympPrev_i}{\symdeltaT^2}\end{aligned}`,
     roles: raw`这个分式涉及三个时刻，它们的地位并不相同：
 
 - $\sympPrev$ 和 $\sympCurr$ 是上一步与当前的位置，为**已知量**；
