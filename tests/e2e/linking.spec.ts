@@ -105,6 +105,47 @@ test('a spring under the mouse marks d in its equation, a vertex p, and none of 
   expect(await lit()).not.toContain('d');
 });
 
+test.describe('in the lesson', () => {
+  /** A triangle of three springs and its A, with spring 1 selected. */
+  async function openMatrices(page: Page) {
+    await page.goto('./#/lesson/matrices');
+    const figure = page.locator('figure').filter({ has: page.locator('.matrix-product') });
+    await figure.scrollIntoViewIfNeeded(); // out of sight it sleeps
+    await expect(figure.locator('.matrix')).toHaveCount(3);
+    const litRows = () =>
+      figure
+        .locator('.matrix')
+        .first()
+        .locator('tbody tr')
+        .evaluateAll((rows) => rows.flatMap((row, e) => (row.querySelector('th.lit') ? [e] : [])));
+    return { figure, litRows };
+  }
+
+  test('d in an equation lights row e of A and the spring', async ({ page }) => {
+    const { figure, litRows } = await openMatrices(page);
+    await page.getByRole('button', { name: 'projected springs' }).first().focus();
+    await expect.poll(litRows).toEqual([1]);
+    await expect(figure.locator('svg [data-spring="1"]')).toHaveClass(/lit/);
+  });
+
+  test('a spring, a row of A and the equation light each other', async ({ page }) => {
+    const { figure, litRows } = await openMatrices(page);
+    const spring = (e: number) => figure.locator(`svg [data-spring="${e}"]`);
+    const d = page.locator('main .formula [data-sym="d"]').first();
+    await spring(2).focus();
+    await expect.poll(litRows).toEqual([2]);
+    await expect(d).toHaveCSS('box-shadow', marked);
+    await figure.getByRole('button', { name: 'A, spring 0, vertex 0: 1' }).focus();
+    await expect.poll(litRows).toEqual([0]);
+    await expect(spring(0)).toHaveClass(/lit/);
+    await expect(spring(2)).not.toHaveClass(/lit/);
+    await page.keyboard.press('ArrowLeft');
+    await expect(figure.getByRole('button', { name: 'spring 0', exact: true }).first()).toBeFocused();
+    await page.keyboard.press('Escape');
+    await expect.poll(litRows).toEqual([]);
+  });
+});
+
 test('the card and the code are clean for axe, in both languages', async ({ page }) => {
   for (const [language, name] of [
     ['en', 'projected springs'],
