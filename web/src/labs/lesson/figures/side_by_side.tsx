@@ -13,7 +13,7 @@ interface Props {
   figures: readonly FigureSession[];
   /** Of each. */
   names: readonly string[];
-  /** What each has come to, in a few words. */
+  /** What each has come to, in a few short lines. */
   readings: readonly string[];
   running: boolean;
   onToggle: () => void;

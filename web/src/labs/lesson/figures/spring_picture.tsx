@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useRef } from 'preact/hooks';
+import { useId, useRef } from 'preact/hooks';
 import { appliedTheme } from '../../../app/preferences.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import { darkPalette, lightPalette } from '../../../views/scene3d/palette.ts';
@@ -30,6 +30,7 @@ interface Props {
 /** A planar scene from the front. Its springs and vertices can be pointed at, focused and chosen; in the net the vertices can be pulled. */
 export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
   const host = useRef<HTMLDivElement>(null);
+  const clip = useId();
   const width = useWidth(host);
   const frame = figure.frame.value;
   const window = windows[figure.settings.scene];
@@ -51,9 +52,12 @@ export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
         <svg viewBox={`0 0 ${width} ${drawing.plane.height}`} width={width} height={drawing.plane.height}>
           <title>{name}</title>
           {behind && (
-            <svg class="behind" width={width} height={drawing.plane.height}>
+            <g class="behind" clip-path={`url(#${clip})`}>
+              <clipPath id={clip}>
+                <rect width={width} height={drawing.plane.height} />
+              </clipPath>
               {behind(drawing)}
-            </svg>
+            </g>
           )}
           {mode === 'torn' ? <TornSprings {...drawing} /> : <Net {...drawing} arrows={arrows} />}
         </svg>

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { formatQuantity } from '../../../../lib/format.ts';
 import { symbolCommand } from '../../../../notation/macros.ts';
+import type { Evaluation } from '../../../../solver/protocol.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
@@ -17,6 +18,7 @@ export function LandscapeFigure({ figure }: { figure: FigureSession }) {
   const words = inLanguage({ en, zh }).landscape;
   const [term, setTerm] = useState<Term>('sum');
   const seen = useInspection(figure, landscapePoints);
+  const here = seen?.evaluations[0];
   return (
     <Figure
       figure={figure}
@@ -34,16 +36,10 @@ export function LandscapeFigure({ figure }: { figure: FigureSession }) {
         ))}
       </fieldset>
       <dl class="landscape-values" aria-label={words.values}>
-        {seen &&
-          [...terms.slice(1), terms[0]].map((one) => (
-            <Value
-              key={one}
-              tex={symbolCommand(termSymbols[one])}
-              value={termValue(one, seen.evaluations[0])}
-              unit="J"
-            />
-          ))}
-        {seen && <Value tex={slope} value={slopeAt(seen.evaluations[0].gradient)} unit="N" />}
+        {[...terms.slice(1), terms[0]].map((one) => (
+          <Value key={one} tex={symbolCommand(termSymbols[one])} value={here && termValue(one, here)} unit="J" />
+        ))}
+        <Value tex={slope} value={here && slopeOf(here)} unit="N" />
       </dl>
     </Figure>
   );
@@ -53,17 +49,17 @@ const { raw } = String;
 const slope = raw`\lVert\symgradient\rVert`;
 
 /** N: how steep E is for the free vertex. */
-function slopeAt(gradient: Float64Array): number {
+function slopeOf({ gradient }: Evaluation): number {
   return Math.hypot(...gradient.subarray(3 * free, 3 * free + 3));
 }
 
-function Value({ tex, value, unit }: { tex: string; value: number; unit: string }) {
+function Value({ tex, value, unit }: { tex: string; value: number | undefined; unit: string }) {
   return (
     <div>
       <dt>
         <Formula tex={tex} />
       </dt>
-      <dd>{formatQuantity(value, unit)}</dd>
+      <dd>{value !== undefined && formatQuantity(value, unit)}</dd>
     </div>
   );
 }

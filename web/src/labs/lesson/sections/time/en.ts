@@ -39,7 +39,7 @@ frictionless nail would swing for ever. Let the four run and watch their energy,
 from the end of the step, which always brakes a little. Taking them from its beginning does the opposite, and that ends worse, as the
 [next section](optimisation) shows.`,
     name: 'Δt = {{delta_t}}',
-    reading: 't = {{time}}, energy {{gained}}',
+    reading: 't = {{time}}\nenergy {{gained}}',
     energy: raw`Change of energy since the start, J`,
     time: 'Simulated time, s',
     summary:
