@@ -11,7 +11,7 @@ export const en = {
     is $\symr_{ij}$ and whose direction is free. One such vector is nearest to the spring, and how far off it is says
     how far the spring is stretched:
 
-    $$\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 = \min_{\lVert \symd_{ij} \rVert = \symr_{ij}} \lVert (\symp_i - \symp_j) - \symd_{ij} \rVert^2$$
+    $$\begin{aligned} &\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 \\ &\qquad = \min_{\lVert \symd_{ij} \rVert = \symr_{ij}} \lVert (\symp_i - \symp_j) - \symd_{ij} \rVert^2 \end{aligned}$$
 
     [Section 2](energy) has the picture of it. With the minimum pulled out in front, the time step looks for positions
     **and** helpers:

@@ -12,7 +12,7 @@ export const zh: Catalogue<typeof en> = {
     这里的思路不是消去长度，而是把它交给一个辅助变量。给每根弹簧配一个向量 $\symd_{ij}$，长度规定为
     $\symr_{ij}$，方向任意。在这些向量中，有一个离弹簧最近，而它与弹簧的距离恰好就是伸长量：
 
-    $$\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 = \min_{\lVert \symd_{ij} \rVert = \symr_{ij}} \lVert (\symp_i - \symp_j) - \symd_{ij} \rVert^2$$
+    $$\begin{aligned} &\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 \\ &\qquad = \min_{\lVert \symd_{ij} \rVert = \symr_{ij}} \lVert (\symp_i - \symp_j) - \symd_{ij} \rVert^2 \end{aligned}$$
 
     [第 2 节](energy)画出了它的几何意义。把求最小提到最前面，时间步要找的就**既有**位置，**也有**辅助变量：
 
