@@ -18,6 +18,7 @@ const place = (page: Page) => firstFigure(page).locator('.figure-place');
 
 async function openTrick(page: Page): Promise<void> {
   await open(page, lesson('trick'));
+  await firstFigure(page).locator('.figure-transport').scrollIntoViewIfNeeded();
   await expect(place(page)).toHaveText('t = 10 · iteration 1 of 4 · local');
 }
 
@@ -53,15 +54,22 @@ test('a vertex follows the mouse while time runs, and is free again afterwards',
   await openTrick(page);
   const dot = firstFigure(page).locator('.vertex[data-vertex="7"] .dot');
   await dot.scrollIntoViewIfNeeded();
-  const { x, y } = (await dot.boundingBox()) as { x: number; y: number };
-  await page.mouse.move(x + 6, y + 6);
+  const middle = async () => {
+    const { x, y, width, height } = (await dot.boundingBox()) as {
+      x: number;
+      y: number;
+      width: number;
+      height: number;
+    };
+    return { x: x + width / 2, y: y + height / 2 };
+  };
+  const { x, y } = await middle();
+  await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(x + 86, y - 34, { steps: 4 });
+  await page.mouse.move(x + 80, y - 40, { steps: 4 });
   await expect(place(page)).toContainText('accept'); // steps are being made
   await expect(firstFigure(page).locator('.pin')).toHaveCount(3);
-  await expect
-    .poll(async () => Math.round((await dot.boundingBox())?.x ?? 0), { message: 'the vertex is at the pointer' })
-    .toBe(Math.round(x + 80));
+  await expect.poll(async () => Math.round((await middle()).x - x)).toBe(80); // it is where the pointer is
   await page.mouse.up();
   await expect(firstFigure(page).locator('.pin')).toHaveCount(2);
 });
@@ -128,7 +136,7 @@ test('a figure opens in the lab at its moment, and the lab keeps it while the le
   await firstFigure(page).getByRole('button', { name: 'Open this in the lab' }).click();
   const status = page.getByTestId('status');
   await expect(status).toHaveText('time step t = 10 · iteration 1 of 4 · local');
-  await expect(page.getByLabel('Scene', { exact: true })).toHaveValue('patch');
+  await expect(page.locator('.scene-menu select')).toHaveValue('patch');
   await page.getByRole('button', { name: /^Half-step forward/ }).click();
   await expect(status).toContainText('global');
   await page.getByRole('link', { name: 'Lesson', exact: true }).click();

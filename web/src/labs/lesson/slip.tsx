@@ -1,8 +1,8 @@
-import { Formula } from '../../views/equations/formula.tsx';
 import type { FigureSession } from './figures/figure_session.ts';
 import { type AtPoint, GradientCheck } from './gradient_check.tsx';
 import { lessonWords } from './lesson_words.ts';
 import { Prose } from './prose.tsx';
+import { WideFormula } from './wide_formula.tsx';
 import './slip.css';
 
 interface Props {
@@ -28,13 +28,13 @@ export function Slip({ figure, printed, right, why, printedEnergy }: Props) {
           <span class="slip-wrong">✗</span> {words.printed}
         </dt>
         <dd>
-          <Formula tex={printed} display />
+          <WideFormula tex={printed} />
         </dd>
         <dt>
           <span class="slip-right">✓</span> {words.right}
         </dt>
         <dd>
-          <Formula tex={right} display />
+          <WideFormula tex={right} />
         </dd>
       </dl>
       <Prose text={why} />
