@@ -9,6 +9,7 @@ import { noScene, type Scene } from '../../../scene/scene.ts';
 import { SolverCrash } from '../../../solver/client.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import type { Checkpoint, Command, Inspection, Opened, Outcome, Request } from '../../../solver/protocol.ts';
+import { FigureTimeline, type Move } from './figure_timeline.ts';
 import type { LessonSolver, Moment } from './lesson_solver.ts';
 import type { PlanarScene } from './planar_scenes.ts';
 
@@ -22,13 +23,8 @@ export interface FigureSettings {
   opening?: readonly Command[];
 }
 
-/** Where the cursor goes: by a command, or to a moment known already. */
-type Move = Command | { kind: 'jump'; to: Checkpoint };
-
 /** Moves that may wait for the solver; more are a held key. */
 const longestQueue = 4;
-/** Time steps that can be gone back to. */
-const longestPast = 1000;
 
 /** Drives one figure as app/session.ts drives the lab, but keeps the moment itself: between two requests the solver serves other figures. */
 export class FigureSession implements Figure {
@@ -56,9 +52,8 @@ export class FigureSession implements Figure {
   private readonly solver: LessonSolver;
   private readonly clock = new Clock();
   private readonly queue: Move[] = [];
+  private readonly timeline = new FigureTimeline();
   private beginning: Checkpoint | null = null;
-  private here: Checkpoint | null = null;
-  private past: Checkpoint[] = [];
   private busy = false;
   private stale = false;
 
@@ -137,9 +132,10 @@ export class FigureSession implements Figure {
 
   /** The matrices at the present moment, and E at points of the caller's choice, each #V×3, m. Null where there is no moment yet. */
   async inspect(points: readonly Float64Array[] = []): Promise<Inspection | null> {
-    if (!this.here) return null;
+    const { here } = this.timeline;
+    if (!here) return null;
     try {
-      return await this.solver.inspect(this.moment(this.scene.value, this.here, { kind: 'stay' }), points);
+      return await this.solver.inspect(this.moment(this.scene.value, here, { kind: 'stay' }), points);
     } catch (reason) {
       this.explain(reason);
       return null;
@@ -148,7 +144,8 @@ export class FigureSession implements Figure {
 
   /** What the lab needs to show the same. Null where there is nothing to show yet. */
   forLab(): { state: Pick<AppState, 'scene' | 'parameters' | 'pins' | 'selection'>; from: Checkpoint } | null {
-    if (!this.here) return null;
+    const { here } = this.timeline;
+    if (!here) return null;
     const { chosen, pins, selection } = this;
     const state = {
       scene: this.settings.scene,
@@ -156,17 +153,17 @@ export class FigureSession implements Figure {
       pins: pins.value && [...pins.value],
       selection: selection.value,
     };
-    return { state, from: this.here };
+    return { state, from: here };
   }
 
   /** The moment shown; null before the first. */
   checkpoint(): Checkpoint | null {
-    return this.here;
+    return this.timeline.here;
   }
 
   /** The moments that can be gone back to, the oldest first. */
   earlier(): readonly Checkpoint[] {
-    return this.past;
+    return this.timeline.past;
   }
 
   private setBack(): void {
@@ -184,8 +181,9 @@ export class FigureSession implements Figure {
     if (this.busy) return;
     this.busy = true;
     try {
-      if (!this.here) await this.open();
-      for (let move = this.next(); move && this.here; move = this.next()) await this.make(move, this.here);
+      if (!this.frame.value) await this.open();
+      for (let move = this.next(); move && this.frame.value; move = this.next())
+        await this.make(move, this.frame.value);
     } catch (reason) {
       this.explain(reason);
     } finally {
@@ -199,28 +197,25 @@ export class FigureSession implements Figure {
 
   private async open(): Promise<void> {
     const scene = await findScene(this.settings.scene);
+    this.stale = false;
     let outcome = await this.solver.run(this.moment(scene, null, { kind: 'stay' }));
     for (const command of this.settings.opening ?? []) {
       if (outcome.ok) outcome = await this.solver.run(this.moment(scene, outcome.value.checkpoint, command));
     }
     this.take(scene, outcome);
-    this.beginning = this.here;
+    this.beginning = this.timeline.here;
   }
 
-  private async make(move: Move, here: Checkpoint): Promise<void> {
+  private async make(move: Move, { last_half_step }: Frame): Promise<void> {
     const scene = this.scene.value;
-    const { last_half_step } = this.frame.value as Frame;
-    const back = move.kind === 'previous_step' || (move.kind === 'previous_half_step' && here.half_step === 0);
-    const from = back ? (this.past.pop() ?? here) : move.kind === 'jump' ? move.to : here;
-    if (move.kind === 'jump') this.past = [];
-    const command: Command = back || move.kind === 'jump' ? { kind: 'stay' } : move;
+    const { from, command } = this.timeline.begin(move);
+    this.stale = false;
     const outcome = await this.solver.run(this.moment(scene, from, command));
     if (outcome.ok && command.kind === 'play') this.clock.spent(command.steps, outcome.value.frame.milliseconds);
     this.take(scene, outcome, last_half_step);
   }
 
   private moment(scene: Scene, from: Checkpoint | null, command: Command): Moment {
-    this.stale = false;
     const request: Request = {
       parameters: parametersOn(scene, this.chosen.value),
       pins: pinsOn(scene, this.pinsInForce(scene)),
@@ -240,14 +235,12 @@ export class FigureSession implements Figure {
       return;
     }
     const { frame, checkpoint, r } = outcome.value;
-    if (this.here && checkpoint.step > this.here.step)
-      this.past = [...this.past.slice(1 - longestPast), { ...this.here, half_step: last_half_step }];
-    this.here = checkpoint;
+    this.timeline.reach(checkpoint, last_half_step);
     batch(() => {
       this.refusal.value = null;
       this.scene.value = scene;
       this.r.value = r;
-      this.frame.value = { ...frame, rememberedSteps: this.past.length };
+      this.frame.value = { ...frame, rememberedSteps: this.timeline.past.length };
     });
   }
 
