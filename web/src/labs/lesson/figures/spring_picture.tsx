@@ -29,7 +29,6 @@ interface Props {
 
 /** A planar scene from the front. Its springs and vertices can be pointed at, focused and chosen; in the net the vertices can be pulled. */
 export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
-  const clip = useId();
   const host = useRef<HTMLDivElement>(null);
   const clip = useId();
   const width = useWidth(host);
