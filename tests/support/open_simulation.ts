@@ -6,7 +6,7 @@ import type { MovingScene, SmallScene } from './small_scenes.ts';
 export const solver = await loadSolver();
 
 export function expectOk(status: Status): void {
-  expect(status).toEqual({ code: 'ok', field: '', index: -1, value: 0 });
+  expect(status).toEqual({ code: 'ok', field: '', index: -1, value: 0, limit: 0 });
 }
 
 /** A simulation of the scene at rest, deleted when the test is over. */

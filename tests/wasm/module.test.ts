@@ -11,6 +11,7 @@ const status = {
   field: expect.any(String),
   index: expect.any(Number),
   value: expect.any(Number),
+  limit: expect.any(Number),
 };
 const triplets = {
   rows: expect.any(Number),

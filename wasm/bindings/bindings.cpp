@@ -129,7 +129,8 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("code", &code, &set_code)
       .field("field", &Status::field)
       .field("index", &Status::index)
-      .field("value", &Status::value);
+      .field("value", &Status::value)
+      .field("limit", &Status::limit);
 
   value_object<Parameters>("Parameters")
       .field("k", &Parameters::k)

@@ -30,9 +30,8 @@ class FastSystem {
   /// @param pinned  #pinned
   void analyse(const Points& V, const Edges& E, const Vector& r, const Indices& pinned);
 
-  /// Known after analyse(), before any of it is computed or allocated: non-zeros of L, and the
-  /// bytes that keeping its panels takes, in doubles and in floats.
-  std::int64_t nonzeros() const { return pattern_.nonzeros; }
+  /// What keeping L takes, in doubles and in floats: known after analyse(), before any of it is
+  /// computed or allocated.
   std::int64_t bytes() const {
     return pattern_.values * std::int64_t{sizeof(double) + sizeof(float)};
   }

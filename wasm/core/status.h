@@ -29,8 +29,9 @@ struct Status {
   StatusCode code = StatusCode::ok;
   std::string field;  // the argument or quantity at fault, e.g. "E", "m", "delta_t"
   int index = -1;     // its row, or -1
-  double value =
-      0;  // the offender: a number, a vertex, bytes, or for a repetition the row it repeats
+  // The offender: a number, a vertex, bytes, or for a repetition the row it repeats.
+  double value = 0;
+  double limit = 0;  // the most that value may be, of what is too stiff or too large
 
   bool ok() const { return code == StatusCode::ok; }
 };

@@ -82,7 +82,6 @@ std::vector<std::int64_t> edge_values(const Graph& graph, const SymbolicCholesky
 SymbolicCholesky symbolic_cholesky(const Graph& graph, const EliminationOrder& elimination) {
   const std::vector<ColumnGroup> groups = column_groups(elimination.tree);
   SymbolicCholesky symbolic;
-  symbolic.nonzeros = elimination.tree.nonzeros;
   for (const ColumnGroup& group : groups) {
     for (const int column : group.columns) symbolic.order.push_back(elimination.order[column]);
   }

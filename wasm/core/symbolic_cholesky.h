@@ -23,7 +23,6 @@ struct SymbolicCholesky {
   std::vector<Supernode> supernodes;      // from left to right
   std::vector<int> rows;                  // supernode after supernode, ascending in each
   std::vector<std::int64_t> edge_values;  // where the panels hold the entry of each edge in Q
-  std::int64_t nonzeros = 0;              // of L
   std::int64_t values = 0;                // of all panels: also zeros that keep these simple
   int largest_panel = 0;                  // rows
 };

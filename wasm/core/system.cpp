@@ -1,6 +1,5 @@
 #include "system.h"
 
-#include <cstdint>
 #include <limits>
 
 #include "anderson.h"
@@ -30,10 +29,11 @@ namespace mass_spring {
 
 namespace {
 
-// Beyond these a factor is refused before work starts: the module may grow to 512 MB
-// (CMakeLists.txt), and the rest of a scene wants its share.
-constexpr double largest_factor = 300e6;            // bytes
-constexpr std::int64_t most_nonzeros = 15'000'000;  // of L
+// Bytes, beyond which a factor is refused before work starts. Of Q: 15 million numbers on the fast
+// path, with which an iteration takes some 20 ms. Of the Hessian, for the time of a step: the
+// module may grow to 512 MB (CMakeLists.txt), and the rest of a scene wants its share.
+constexpr double largest_factor = 180e6;
+constexpr double largest_newton_factor = 300e6;
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const Status not_positive_definite = {StatusCode::factorisation_failed, "Q", -1, nan};
@@ -71,8 +71,8 @@ Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
     analysed_ = true;
   }
   const double bytes = static_cast<double>(fast_->bytes());
-  if (bytes > largest_factor || fast_->nonzeros() > most_nonzeros) {
-    return {StatusCode::too_large, "factor", -1, bytes};
+  if (bytes > largest_factor) {
+    return {StatusCode::too_large, "factor", -1, bytes, largest_factor};
   }
   const Progress factorising = [this](double fraction) { progress_("factorising", fraction); };
   return status(fast_->factorise(step.k, step.m, step.delta_t, factorising));
@@ -99,8 +99,8 @@ Status System::check(Method method, const TimeStep& step) const {
   // together its entries are a list: 36 to a spring, none of them summed.
   const double bytes = factor_bytes() + 9 * 1.5 * factor_bytes() +
                        2.0 * 36 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
-  if (bytes <= largest_factor) return {};
-  return {StatusCode::too_large, "newton", -1, bytes};
+  if (bytes <= largest_newton_factor) return {};
+  return {StatusCode::too_large, "newton", -1, bytes, largest_newton_factor};
 }
 
 void System::begin(const TimeStep& step, Workspace& workspace) {

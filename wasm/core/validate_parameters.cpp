@@ -33,7 +33,7 @@ Status validate_parameters(const Parameters& parameters) {
     if (sign == Sign::not_negative && value < 0) return {StatusCode::negative, field, -1, value};
   }
   const double bytes = bytes_per_iteration * parameters.iterations;
-  if (bytes > largest_trace) return {StatusCode::too_large, "iterations", -1, bytes};
+  if (bytes > largest_trace) return {StatusCode::too_large, "iterations", -1, bytes, largest_trace};
   return {};
 }
 

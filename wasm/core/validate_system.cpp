@@ -17,13 +17,14 @@ Status validate_system(const TimeStep& step, Storage storage) {
       stiffness_numbers(step.E, step.k, step.m, step.delta_t).maxCoeff(&vertex);
   // Written so that NaN, from numbers beyond a double's range, is refused too.
   if (!(stiffness_number <= largest_stiffness_number)) {
-    return {StatusCode::too_stiff, "stiffness_number", vertex, stiffness_number};
+    return {StatusCode::too_stiff, "stiffness_number", vertex, stiffness_number,
+            largest_stiffness_number};
   }
   const double n = static_cast<double>(step.m.size());
   const double rows = static_cast<double>(step.E.rows() + step.pinned.size());  // of A and C
   const double bytes = sizeof(double) * (rows * n + 2 * n * n);                 // A and C, M and Q
   if (storage == Storage::dense && bytes > largest_dense_storage) {
-    return {StatusCode::too_large, "storage", -1, bytes};
+    return {StatusCode::too_large, "storage", -1, bytes, largest_dense_storage};
   }
   return {};
 }

@@ -82,12 +82,15 @@ describe('the comparison', () => {
   it('forgets what comes too late', () => {
     const asked = timeStep.value;
     goTo(2);
-    compared(asked, 'lbfgs', { ok: false, status: { code: 'diverged', field: 'p', index: 0, value: 0 } });
+    compared(asked, 'lbfgs', { ok: false, status: { code: 'diverged', field: 'p', index: 0, value: 0, limit: 0 } });
     expect(comparison.value).toBeNull();
   });
 
   it('does not ask again for what was refused', () => {
-    compared(timeStep.value, 'lbfgs', { ok: false, status: { code: 'too_large', field: 'H', index: -1, value: 1e9 } });
+    compared(timeStep.value, 'lbfgs', {
+      ok: false,
+      status: { code: 'too_large', field: 'H', index: -1, value: 1e9, limit: 1e8 },
+    });
     expect(missingMethod.value).toBe('local-global');
     expect(comparison.value?.refusals.map(({ method }) => method)).toEqual(['lbfgs']);
   });

@@ -62,7 +62,7 @@ class FakeClient {
     if (!answer) throw new Error('nothing was asked');
     if (how === 'crash') answer.reject(new SolverCrash('unreachable'));
     else if (how === 'refused')
-      answer.resolve({ ok: false, status: { code: 'too_stiff', field: 'k', index: -1, value: 2e9 } });
+      answer.resolve({ ok: false, status: { code: 'too_stiff', field: 'k', index: -1, value: 2e9, limit: 1e9 } });
     else answer.resolve({ ok: true, value: { frame: { ...paused }, checkpoint: checkpoint(), r: Float64Array.of(1) } });
     await turn();
   }
@@ -134,7 +134,11 @@ describe('the session', () => {
     setK(1e7);
     await client.settle('refused');
     expect(state.value.parameters).toEqual({ k: 20 });
-    expect(notices.value[0]).toMatchObject({ kind: 'error', key: 'page.errors.too_stiff', params: { value: 2e9 } });
+    expect(notices.value[0]).toMatchObject({
+      kind: 'error',
+      key: 'page.errors.too_stiff',
+      params: { value: '2.00 × 10⁹', limit: '1.00 × 10⁹' },
+    });
   });
 
   it('does not ask for ever when even the accepted values fail', async () => {

@@ -56,7 +56,7 @@ describe('compareMethod', () => {
   });
 
   it('passes a refusal on', () => {
-    const status = { code: 'too_large', field: 'hessian', index: -1, value: 1e9 } as const;
+    const status = { code: 'too_large', field: 'hessian', index: -1, value: 1e9, limit: 1e8 } as const;
     const simulation = { compare: () => ({ status, rows: new Float64Array(0) }) } as unknown as Simulation;
     expect(compareMethod(simulation, request)).toEqual({ ok: false, status });
   });

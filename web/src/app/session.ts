@@ -9,6 +9,7 @@ import { compared, comparisonRequest, missingMethod, timeStep } from './comparis
 import { iterationTime, playedStep } from './measurements.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
+import { refusalParams } from './refusal_params.ts';
 import {
   type AppState,
   dragging,
@@ -266,7 +267,6 @@ export class Session {
   }
 
   private explain(status: Status): void {
-    const { code, field, index, value } = status;
-    notify('error', `page.errors.${code}` as MessageKey, { field, index, value });
+    notify('error', `page.errors.${status.code}` as MessageKey, refusalParams(status));
   }
 }

@@ -13,16 +13,16 @@ const sentences: Record<StatusCode, string> = {
   duplicate_pin: 'the pin of row {{value}} again',
   not_positive: '{{value}} is not positive',
   negative: '{{value}} is negative',
-  too_stiff: 'the stiffness number Σk·Δt²/m is {{value}}, and beyond 1e9 double precision is lost',
-  too_large: '{{value}} bytes are more than the solver may use',
+  too_stiff: 'the stiffness number Σk·Δt²/m is {{value}}, and beyond {{limit}} double precision is lost',
+  too_large: '{{value}} bytes are more than the {{limit}} that the solver takes',
   factorisation_failed: 'Q is not positive definite to machine precision',
   diverged: 'became {{value}} in this time step',
 };
 
 /** One English line with field, row (from 0) and value, e.g. "E[3]: there is no vertex 12". */
-export function describeStatus({ code, field, index, value }: Status): string {
+export function describeStatus({ code, field, index, value, limit }: Status): string {
   const place = index < 0 ? field : `${field}[${index}]`;
   const indexed = field === 'half_step' ? 'half-step' : 'vertex';
-  const sentence = fillTemplate(sentences[code], { value, indexed });
+  const sentence = fillTemplate(sentences[code], { value, limit, indexed });
   return place ? `${place}: ${sentence}` : sentence;
 }

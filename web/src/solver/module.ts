@@ -26,6 +26,8 @@ export interface Status {
   field: string;
   index: number;
   value: number;
+  /** The most that `value` may be, of what is too stiff or too large (then in bytes); 0 elsewhere. */
+  limit: number;
 }
 
 /** What a long call is at: finding the order of elimination, which cannot tell how far it is, and computing L. */

@@ -16,7 +16,7 @@ import type {
 } from './protocol.ts';
 import { readFrame } from './read_frame.ts';
 
-const ok: Status = { code: 'ok', field: '', index: -1, value: 0 };
+const ok: Status = { code: 'ok', field: '', index: -1, value: 0, limit: 0 };
 
 /** Owns one Simulation of the module and answers requests. Runs in the worker; knows neither worker nor page. */
 export class SolverSession {

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { type Comparison, missingMethod } from '../../app/comparison.ts';
 import { t } from '../../app/messages/index.ts';
+import { refusalParams } from '../../app/refusal_params.ts';
 import { formatNumber } from '../../lib/format.ts';
 import { type Method, methods } from '../../solver/module.ts';
 import { type Abscissa, type Curve, type CurvePoint, pointAt } from './comparison_curves.ts';
@@ -25,7 +26,7 @@ export function ComparisonReadout(props: Props) {
   const { caption, made, curves, hidden, abscissa, place, stale, onToggle, onNewton } = props;
   const instead = (method: Method): ComponentChildren => {
     const refusal = made.refusals.find((one) => one.method === method);
-    if (refusal) return t('plots.comparison.refused', { megabytes: Math.round(refusal.status.value / 1e6) });
+    if (refusal) return t('plots.comparison.refused', refusalParams(refusal.status));
     if (stale) return null;
     if (method !== 'newton' || missingMethod.value === 'newton') return t('plots.comparison.computing');
     return (

@@ -217,8 +217,9 @@ export const page = {
     not_positive: '{{field}} is {{value}}; it has to be greater than 0. The value before stays.',
     negative: '{{field}} is {{value}}; it has to be 0 or more. The value before stays.',
     too_stiff:
-      'The stiffness number Σk·Δt²/m would be {{value}}, beyond the 1e9 that double precision can solve. The values before stay: take a smaller k or Δt, or more mass.',
-    too_large: 'This would need {{value}} bytes, more than the solver may use. The scene before stays.',
+      'The stiffness number Σk·Δt²/m would be {{value}}, beyond the {{limit}} that double precision can solve. The values before stay: take a smaller k or Δt, or more mass.',
+    too_large:
+      'This would need {{value}} of memory, and the solver takes {{limit}} at most. Everything stays as it was.',
     factorisation_failed:
       'Q could not be factorised: it is not positive definite to machine precision. The values before stay.',
     diverged: 'Vertex {{index}} became {{value}} in this time step. The step was undone and the clock stopped.',

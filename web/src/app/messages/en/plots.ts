@@ -42,7 +42,7 @@ export const plots = {
     rounding: '≤ rounding',
     computing: 'Computing…',
     addNewton: 'Compute, may take seconds',
-    refused: 'Refused: it would need {{megabytes}} MB, more than the solver may use.',
+    refused: 'Refused: it would need {{value}} of memory, and the solver takes {{limit}} at most.',
     minimum: 'E* is the lowest E found here: by {{name}} in iteration {{iteration}}, from where it falls no further.',
     lowest: 'E* is the lowest E found here: by {{name}} in iteration {{iteration}}, still falling.',
     data: 'Table of all iterations',

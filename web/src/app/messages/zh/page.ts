@@ -208,8 +208,9 @@ export const page = {
     duplicate_pin: '{{field}}[{{index}}] 把质点 {{value}} 固定了两次。',
     not_positive: '{{field}} 为 {{value}}，必须大于 0。保留原值。',
     negative: '{{field}} 为 {{value}}，不能小于 0。保留原值。',
-    too_stiff: '刚度数 Σk·Δt²/m 将达到 {{value}}，超过双精度可解的 1e9。已保留原值：请减小 k 或 Δt，或增大质量。',
-    too_large: '这需要 {{value}} 字节，超过求解器可用的内存。仍保留原场景。',
+    too_stiff:
+      '刚度数 Σk·Δt²/m 将达到 {{value}}，超过双精度可解的上限 {{limit}}。已保留原值：请减小 k 或 Δt，或增大质量。',
+    too_large: '这需要 {{value}} 内存，超过求解器允许的 {{limit}}。一切保持原状。',
     factorisation_failed: 'Q 无法分解：在机器精度下不正定。已保留原值。',
     diverged: '质点 {{index}} 在这一时间步中变成了 {{value}}。该步已撤销，时钟已停止。',
   },

@@ -43,7 +43,7 @@ export const plots: Catalogue<typeof en> = {
     rounding: '≤ 舍入误差',
     computing: '计算中……',
     addNewton: '计算（可能需要数秒）',
-    refused: '未能计算：需要 {{megabytes}} MB，超过求解器可用的内存。',
+    refused: '未能计算：需要 {{value}} 内存，超过求解器允许的 {{limit}}。',
     minimum: 'E* 是这里得到的最低的 E：{{name}}第 {{iteration}} 次迭代所得，此后不再下降。',
     lowest: 'E* 是这里得到的最低的 E：{{name}}第 {{iteration}} 次迭代所得，尚在下降。',
     data: '全部迭代的数值表',
