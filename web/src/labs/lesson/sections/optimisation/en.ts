@@ -13,7 +13,7 @@ point of a landscape**.`,
 shorter the step.
 - The external force, $\symexternal$, wants to push as far as it can: gravity wants down.
 
-Nobody gets all of it. The time step ends where the sum of what is denied is least:`,
+They cannot all have their way. The time step ends where their sum is smallest:`,
   },
   landscape: {
     shown: 'The map shows',

@@ -33,10 +33,10 @@ $\symdeltaT$, pull at the mass.`,
     answer: raw`As long as one picture is shown. Films have 24 pictures a second, so animation studios think in steps of 1/24 s. Most screens
 refresh 60 times a second; a game that wants smooth motion takes 1/60 s, or 1/30 s to save work.
 
-Longer steps cost less and show less: with 1 s, a whole swing falls between two pictures. There is a second price. A real triangle hung on a
-frictionless nail would swing for ever. Let the four run and watch their energy, kinetic and potential together.`,
+Longer steps cost less and show less: with 1 s, a whole swing falls between two pictures. There is a second price. Without friction, a triangle on a
+nail would swing for ever. Let the four run and watch their energy, kinetic and potential together.`,
     seen: raw`All four lose energy although nothing in the model rubs, and **the longer the step, the more of it**. This method takes the forces
-from the end of the step, which always brakes a little. Taking them from its beginning does the opposite, and that ends worse, as the
+from the end of the step, which always brakes a little. Taking them from its beginning can do the opposite, and that ends worse, as the
 [next section](optimisation) shows.`,
     name: 'Δt = {{delta_t}}',
     reading: 't = {{time}}\nenergy {{gained}}',

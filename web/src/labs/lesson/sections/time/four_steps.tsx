@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatFixed } from '../../../../lib/format.ts';
 import type { FigureSettings } from '../../figures/figure_session.ts';
@@ -30,17 +30,24 @@ export function FourSteps() {
   const energies = useEnergies(figures);
   const names = steps.map(({ name }) => fillTemplate(words.name, { delta_t: name }));
   const ended = energies.map((curve) => (curve.at(-1)?.[0] ?? 0) >= duration - 1e-9);
-  const running = figures.some(({ playing }) => playing.value);
+  const [wanted, setWanted] = useState(false);
+  const over = ended.every(Boolean);
+  const running = wanted && !over;
 
   useEffect(() => {
-    for (const [at, figure] of figures.entries()) if (ended[at]) figure.playing.value = false;
+    for (const [at, figure] of figures.entries()) figure.playing.value = wanted && !ended[at];
   });
 
-  const reset = () => {
+  const rewind = () => {
     for (const figure of figures) figure.reset();
   };
   const toggle = () => {
-    for (const [at, figure] of figures.entries()) figure.playing.value = !running && !ended[at];
+    if (over) rewind();
+    setWanted(!running);
+  };
+  const reset = () => {
+    rewind();
+    setWanted(false);
   };
 
   return (
