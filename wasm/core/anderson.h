@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <Eigen/Core>
 
 #include "descent.h"
 #include "least_squares.h"
+#include "steps.h"
 
 namespace mass_spring {
 
@@ -15,7 +15,7 @@ namespace mass_spring {
 /// With the plain iterate q = p + f, f = -Q⁻¹ ∂E/∂p, and the differences Δf, Δq of the last
 /// `window` iterations,
 ///   θ = argmin |f - Σ_j θ_j Δf_j|,   p ← q - Σ_j θ_j Δq_j,
-/// if that lowers E, otherwise p ← q.
+/// if that lowers E, otherwise p ← q. As Δq = Δp + Δf, this step is a sum of every f and Δp.
 template <typename Problem>
 class Anderson {
  public:
@@ -23,58 +23,68 @@ class Anderson {
 
   void begin(Problem& problem, const Field& p) {
     descent_.begin(problem, p);
-    for (Field* field : {&f_, &q_, &f_before_, &q_before_, &residual_}) field->resizeLike(p);
-    for (auto* fields : {&delta_f_, &delta_q_, &columns_}) {
-      for (Field& field : *fields) field.resizeLike(p);
-    }
-    iterations_ = 0;
+    steps_.begin(p);
+    q_.resizeLike(p);
   }
 
   /// @param p  (updated)
   /// @return whether p changed; if not, not even the plain iteration lowers E by more than rounding
   bool iterate(Problem& problem, Field& p) {
-    descent_.solve(problem, standing().gradient, f_);
-    f_ = -f_;
-    q_ = p + f_;
-    if (iterations_ > 0) {
-      delta_f_[slot(1)] = f_ - f_before_;
-      delta_q_[slot(1)] = q_ - q_before_;
+    descent_.solve(problem, standing().gradient, steps_.h());
+    const int n = steps_.count();
+    hh_.col(n).head(n + 1) = steps_.every_h().products(steps_.h());
+    hh_.row(n).head(n) = hh_.col(n).head(n).transpose();
+    if (n > 0) {
+      steps_.every_h_and_s().combine(coefficients(), steps_.s());
+      if (move(problem, p)) return true;
     }
-    f_before_ = f_;
-    q_before_ = q_;
-    const int count = std::min(iterations_, window);
-    ++iterations_;
-    if (count > 0) {
-      accelerate(count);
-      if (descent_.move(problem, p, q_)) return true;
-      q_ = q_before_;
-    }
-    return descent_.move(problem, p, q_);
+    steps_.s() = -steps_.h();
+    return move(problem, p);
   }
 
   const Standing<Field>& standing() const { return descent_.standing(); }
 
  private:
   static constexpr int window = 5;
+  using Numbers = typename Steps<Field, window>::Numbers;
 
-  /// Where the differences up to the j-th iteration before this one are kept.
-  int slot(int j) const { return (iterations_ - j + window) % window; }
+  /// Of every h = -f and s = Δp in the accelerated step.
+  Numbers coefficients() const {
+    const int n = steps_.count();
+    // Newest differences first: of dependent ones the oldest go unused.
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, window, 1> c(n);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, window, window> G(n, n);
+    for (int i = 0; i < n; ++i) {
+      c(i) = hh_(n - i, n) - hh_(n - i - 1, n);
+      for (int j = 0; j < n; ++j) {
+        G(i, j) = (hh_(n - i, n - j) - hh_(n - i - 1, n - j)) -
+                  (hh_(n - i, n - j - 1) - hh_(n - i - 1, n - j - 1));
+      }
+    }
+    const auto theta = least_squares(G, c).reverse().eval();
+    Numbers coefficients = Numbers::Zero(2 * n + 1);
+    coefficients(n) = -1;
+    coefficients.head(n) -= theta;
+    coefficients.segment(1, n) += theta;
+    coefficients.tail(n) = -theta;
+    return coefficients;
+  }
 
-  /// q ← q - Σ_j θ_j Δq_j, the newest differences first: of dependent ones the oldest go unused.
-  void accelerate(int count) {
-    for (int j = 0; j < count; ++j) columns_[j] = delta_f_[slot(j + 2)];
-    residual_ = f_;
-    const auto theta = least_squares(count, columns_, residual_);
-    for (int j = 0; j < count; ++j) q_ -= theta[j] * delta_q_[slot(j + 2)];
+  bool move(Problem& problem, Field& p) {
+    q_ = p + steps_.s();
+    if (!descent_.move(problem, p, q_)) return false;
+    if (steps_.count() == window) {
+      hh_.template topLeftCorner<window, window>() =
+          hh_.template bottomRightCorner<window, window>().eval();
+    }
+    steps_.advance();
+    return true;
   }
 
   Descent<Problem> descent_;
-  int iterations_ = 0;
-  Field f_, f_before_;                           // m: change by the plain iteration
-  Field q_, q_before_;                           // m: the plain iterate
-  Field residual_;                               // m: scratch
-  std::array<Field, window> delta_f_, delta_q_;  // m: rings
-  std::array<Field, window> columns_;            // m: scratch
+  Steps<Field, window> steps_;
+  Eigen::Matrix<double, window + 1, window + 1> hh_;  // m²: products of every two h
+  Field q_;                                           // m: a candidate for the next iterate
 };
 
 }  // namespace mass_spring

@@ -1,46 +1,41 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-
-#include "inner_product.h"
+#include <Eigen/Core>
 
 namespace mass_spring {
 
-/// The θ that minimises |f - Σ_j θ_j a_j|, by modified Gram-Schmidt on [a f]: as accurate as
-/// Householder's QR, where the normal equations would square the condition number.
-/// @param count  how many of the fields a there are; the other θ are 0. An a_j that depends on
-/// those before it, up to rounding, gets θ_j = 0 as well
-/// @param a  fields of one shape; left orthonormal
-/// @param f  field of the same shape; left as the residual
-template <typename Field, std::size_t most>
-std::array<double, most> least_squares(int count, std::array<Field, most>& a, Field& f) {
-  constexpr double dependent = 1e-10;  // of a field's length left after removing those before it
-  std::array<double, most> length, theta{};
-  for (int j = 0; j < count; ++j) length[j] = std::sqrt(inner_product(a[j], a[j]));
-
-  // a = (orthonormal) R, θ ← (orthonormal)ᵀ f
-  Eigen::Matrix<double, most, most> R = Eigen::Matrix<double, most, most>::Identity();
+/// The θ that minimises |f - Σ_j θ_j a_j|, from scalar products alone: the normal equations G θ = c
+/// by Cholesky's method. An a_j that depends on those before it, as far as the products can tell,
+/// gets θ_j = 0.
+/// @tparam most  how many fields a there may be
+/// @param G  #a by #a: G(i, j) = a_i · a_j
+/// @param c  #a: c(j) = a_j · f
+/// @return   #a: θ
+template <int most>
+Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1> least_squares(
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>& G,
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>& c) {
+  constexpr double dependent = 1e-10;  // of |a_j|² left after removing those before it
+  const int count = static_cast<int>(c.size());
+  // G = L D Lᵀ
+  auto L = G.eval();
+  auto D = c.eval(), theta = c.eval();
   for (int j = 0; j < count; ++j) {
-    const double left = std::sqrt(inner_product(a[j], a[j]));
-    if (left <= dependent * length[j]) {
-      a[j].setZero();
-      continue;
+    D(j) = G(j, j);
+    for (int l = 0; l < j; ++l) D(j) -= L(j, l) * L(j, l) * D(l);
+    if (!(D(j) > dependent * G(j, j))) D(j) = 0;
+    for (int i = j + 1; i < count; ++i) {
+      for (int l = 0; l < j; ++l) L(i, j) -= L(i, l) * D(l) * L(j, l);
+      L(i, j) = D(j) > 0 ? L(i, j) / D(j) : 0;
     }
-    R(j, j) = left;
-    a[j] /= left;
-    for (int l = j + 1; l < count; ++l) {
-      R(j, l) = inner_product(a[j], a[l]);
-      a[l] -= R(j, l) * a[j];
-    }
-    theta[j] = inner_product(a[j], f);
-    f -= theta[j] * a[j];
   }
-
-  // R θ = θ
+  // D Lᵀθ = L⁻¹c
+  for (int j = 0; j < count; ++j) {
+    for (int l = 0; l < j; ++l) theta(j) -= L(j, l) * theta(l);
+  }
   for (int j = count - 1; j >= 0; --j) {
-    for (int l = j + 1; l < count; ++l) theta[j] -= R(j, l) * theta[l];
-    theta[j] /= R(j, j);
+    theta(j) = D(j) > 0 ? theta(j) / D(j) : 0;
+    for (int i = j + 1; i < count; ++i) theta(j) -= L(i, j) * theta(i);
   }
   return theta;
 }

@@ -2,50 +2,48 @@
 
 #include <doctest/doctest.h>
 
-#include "types.h"
-
 namespace mass_spring {
 namespace {
 
-Points field(double x, double y, double z) {
-  Points points(1, 3);
-  points << x, y, z;
-  return points;
+using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+
+/// The coefficients of the columns of A nearest to f.
+Numbers nearest(const Eigen::MatrixXd& A, const Eigen::VectorXd& f) {
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> G = A.transpose() * A;
+  const Numbers c = A.transpose() * f;
+  return least_squares(G, c);
 }
 
 }  // namespace
 
-TEST_CASE("the nearest combination of fields, by hand") {
+TEST_CASE("the nearest combination of vectors, by hand") {
   // Of the plane z = 0, (4, 3, 0) = ½ (2, 0, 0) + 3 (1, 1, 0) is nearest to (4, 3, 5).
-  std::array<Points, 3> a = {field(2, 0, 0), field(1, 1, 0), field(0, 0, 1)};
-  Points f = field(4, 3, 5);
-  CHECK(least_squares(2, a, f) == std::array<double, 3>{0.5, 3, 0});
-  CHECK(f == field(0, 0, 5));
+  const Eigen::MatrixXd A{{2, 1}, {0, 1}, {0, 0}};
+  const Numbers theta = nearest(A, Eigen::Vector3d(4, 3, 5));
+  REQUIRE(theta.size() == 2);
+  CHECK(theta(0) == 0.5);
+  CHECK(theta(1) == 3);
 }
 
-TEST_CASE("fields that depend on those before are not used") {
-  std::array<Points, 3> a = {field(0, 0, 0), field(3, 4, 0), field(-6, -8, 0)};
-  Points f = field(6, 8, 1);
-  const auto theta = least_squares(3, a, f);
-  CHECK(theta[0] == 0);
-  CHECK(theta[1] == doctest::Approx(2).epsilon(1e-15));
-  CHECK(theta[2] == 0);
+TEST_CASE("vectors that depend on those before are not used") {
+  const Eigen::MatrixXd A{{0, 3, -6}, {0, 4, -8}, {0, 0, 0}};
+  const Numbers theta = nearest(A, Eigen::Vector3d(6, 8, 1));
+  CHECK(theta == Numbers(Eigen::Vector3d(0, 2, 0)));
 }
 
-TEST_CASE("nearly dependent fields keep half the digits, where the normal equations keep none") {
-  // The squares of 1e-8 are lost in 1 + 1e-16.
-  std::array<Points, 2> a = {field(1, 1e-8, 0), field(1, 0, 1e-8)};
-  Points f = field(2, 1e-8, 1e-8);
-  const auto theta = least_squares(2, a, f);
-  CHECK(theta[0] == doctest::Approx(1).epsilon(1e-7));
-  CHECK(theta[1] == doctest::Approx(1).epsilon(1e-7));
+TEST_CASE("what is left is orthogonal to every vector") {
+  const Eigen::MatrixXd A{{1, 2, -1}, {0, 1, 3}, {2, 0, 1}, {1, 1, 1}, {-1, 0, 2}};
+  const Eigen::VectorXd f{{3, 1, 4, 1, 5}};
+  // Numbers of about 10, a few roundings each.
+  CHECK((A.transpose() * (f - A * nearest(A, f))).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE("an inner product takes every entry once, whatever the shape") {
-  for (int rows = 0; rows < 6; ++rows) {
-    const Points a = Points::Constant(rows, 3, 2), b = Points::Constant(rows, 3, 5);
-    CHECK(inner_product(a, b) == 30 * rows);
-  }
+TEST_CASE("vectors that differ by 1e-4 only keep half the digits") {
+  // Their squares differ by 1e-8, which products know to eight digits.
+  const Eigen::MatrixXd A{{1, 1}, {1e-4, 0}, {0, 1e-4}};
+  const Numbers theta = nearest(A, Eigen::Vector3d(2, 1e-4, 1e-4));
+  CHECK(theta(0) == doctest::Approx(1).epsilon(1e-7));
+  CHECK(theta(1) == doctest::Approx(1).epsilon(1e-7));
 }
 
 }  // namespace mass_spring
