@@ -1,6 +1,7 @@
 import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
+import { HalfStepAnimation } from '../../app/half_step_animation.ts';
 import { areAllLit, highlighted, litThings, nothing } from '../../app/highlight.ts';
 import { drawingTime } from '../../app/measurements.ts';
 import { t } from '../../app/messages/index.ts';
@@ -10,7 +11,6 @@ import { labFigure, liveFrame, r, scene, state } from '../../app/state.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
-import { HalfStepAnimation } from './half_step_animation.ts';
 import { canvasOrigin, legend, pictures, scene3D } from './stage_signals.ts';
 
 /** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */

@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { netEnds, projectedFrom, strain, tornEnds } from '../../../../../web/src/labs/lesson/figures/drawn_springs.ts';
+import {
+  netEnds,
+  netPositions,
+  projectedFrom,
+  strain,
+  tornEnds,
+} from '../../../../../web/src/labs/lesson/figures/drawn_springs.ts';
 import type { Scene } from '../../../../../web/src/scene/scene.ts';
 import type { Frame } from '../../../../../web/src/solver/frame.ts';
 
@@ -21,11 +27,29 @@ describe('projectedFrom', () => {
 
 describe('tornEnds', () => {
   it('puts every d about the middle of its spring', () => {
-    expect([...tornEnds(scene, frameAt('local'))]).toEqual([0.5, 0, 0, 1.5, 0, 0, 2, 0, 0, 3, 0, 0]);
+    expect([...tornEnds(scene, { frame: frameAt('local'), progress: 1 })]).toEqual([
+      0.5, 0, 0, 1.5, 0, 0, 2, 0, 0, 3, 0, 0,
+    ]);
+  });
+
+  it('comes from the net while the local step tears it', () => {
+    expect([...tornEnds(scene, { frame: frameAt('local'), progress: 0.5 })].slice(0, 6)).toEqual([
+      0.25, 0, 0, 1.75, 0, 0,
+    ]);
+    expect(tornEnds(scene, { frame: frameAt('local'), progress: 0 })).toEqual(netEnds(scene, p));
   });
 
   it('is the net as long as there is no d', () => {
-    expect(tornEnds(scene, { ...frameAt('local', null), phase: 'predict' })).toEqual(netEnds(scene, p));
+    expect(tornEnds(scene, { frame: { ...frameAt('local', null), phase: 'predict' }, progress: 1 })).toEqual(
+      netEnds(scene, p),
+    );
+  });
+});
+
+describe('netPositions', () => {
+  it('go from the iterate before to the new one while the global step moves them', () => {
+    expect([...netPositions({ frame: frameAt('global'), progress: 0.5 })].slice(0, 3)).toEqual([5, 5, 5]);
+    expect(netPositions({ frame: frameAt('local'), progress: 0.5 })).toBe(p);
   });
 });
 

@@ -1,9 +1,15 @@
 import type { Scene } from '../../../scene/scene.ts';
 import type { Frame } from '../../../solver/frame.ts';
+import type { HalfStep } from './use_half_step.ts';
 
 /** The p that the projection d belongs to: after a global step p has moved on. */
 export function projectedFrom({ phase, p, pBefore }: Frame): Float64Array {
   return phase === 'global' || phase === 'accept' ? pBefore : p;
+}
+
+/** #V×3, m: where the vertices are drawn while a global step moves them. */
+export function netPositions({ frame: { phase, p, pBefore }, progress }: HalfStep): Float64Array {
+  return phase === 'global' ? between(pBefore, p, progress) : p;
 }
 
 /** #E×2 points, m, as 2#E×3: both ends of every spring as it lies in the net. */
@@ -14,10 +20,11 @@ export function netEnds({ E }: Scene, p: Float64Array): Float64Array {
 }
 
 /** The same for springs torn from the net: each d about the middle of where the spring was. Before there is a d, the net. */
-export function tornEnds(scene: Scene, frame: Frame): Float64Array {
-  const ends = netEnds(scene, projectedFrom(frame));
+export function tornEnds(scene: Scene, { frame, progress }: HalfStep): Float64Array {
+  const net = netEnds(scene, projectedFrom(frame));
   const { d } = frame;
-  if (!d) return ends;
+  if (!d) return net;
+  const ends = net.slice();
   for (let e = 0; e < d.length / 3; e++) {
     for (let axis = 0; axis < 3; axis++) {
       const middle = (ends[6 * e + axis] + ends[6 * e + 3 + axis]) / 2;
@@ -25,7 +32,11 @@ export function tornEnds(scene: Scene, frame: Frame): Float64Array {
       ends[6 * e + 3 + axis] = middle - d[3 * e + axis] / 2;
     }
   }
-  return ends;
+  return frame.phase === 'local' ? between(net, ends, progress) : ends;
+}
+
+function between(from: Float64Array, to: Float64Array, progress: number): Float64Array {
+  return progress === 1 ? to : to.map((x, at) => from[at] + progress * (x - from[at]));
 }
 
 /** (length − r)/r of the spring between two ends; 0 for one that rests at length zero. */

@@ -33,12 +33,12 @@ export function Pins({ figure, frame, plane }: Props) {
 }
 
 /** From every pin's target to where its vertex is: not the same before the next global step. */
-export function PinLines({ frame, plane }: { frame: Frame; plane: Plane }) {
+export function PinLines({ frame, p, plane }: { frame: Frame; p: Float64Array; plane: Plane }) {
   return (
     <g class="pin-lines">
       {Array.from(frame.pinned, (vertex, row) => {
         const [x1, y1] = targetPlace(frame, plane, row);
-        const [x2, y2] = plane.place(frame.p, vertex);
+        const [x2, y2] = plane.place(p, vertex);
         return <line key={vertex} {...{ x1, y1, x2, y2 }} />;
       })}
     </g>

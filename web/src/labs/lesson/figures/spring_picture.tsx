@@ -4,7 +4,7 @@ import { appliedTheme } from '../../../app/preferences.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import { darkPalette, lightPalette } from '../../../views/scene3d/palette.ts';
 import type { Arrows } from './arrows.ts';
-import { netEnds, projectedFrom, tornEnds } from './drawn_springs.ts';
+import { netEnds, netPositions, projectedFrom, tornEnds } from './drawn_springs.ts';
 import type { FigureSession } from './figure_session.ts';
 import { MoveArrows } from './move_arrows.tsx';
 import { PinLines, Pins } from './pins.tsx';
@@ -12,6 +12,7 @@ import { windows } from './planar_scenes.ts';
 import { Plane } from './plane.ts';
 import { SpringList } from './spring_list.tsx';
 import { springPath } from './spring_path.ts';
+import { type HalfStep, useHalfStep } from './use_half_step.ts';
 import { useWidth } from './use_width.ts';
 import { VertexList } from './vertex_list.tsx';
 import './spring_picture.css';
@@ -32,7 +33,7 @@ export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
   const host = useRef<HTMLDivElement>(null);
   const clip = useId();
   const width = useWidth(host);
-  const frame = figure.frame.value;
+  const halfStep = useHalfStep(figure);
   const window = windows[figure.settings.scene];
   const ratio = (window.right - window.left) / (window.top - window.bottom);
   const palette = appliedTheme.value === 'dark' ? darkPalette : lightPalette;
@@ -44,7 +45,7 @@ export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
     '--glow': palette.glow,
   };
 
-  const drawing = frame && width > 0 && { figure, frame, plane: new Plane(window, width) };
+  const drawing = halfStep && width > 0 && { figure, ...halfStep, plane: new Plane(window, width) };
 
   return (
     <div ref={host} class="spring-picture" style={{ ...colours, aspectRatio: ratio }}>
@@ -68,44 +69,49 @@ export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
 }
 
 /** What a picture is drawn from. */
-export interface Drawing {
+export interface Drawing extends HalfStep {
   figure: FigureSession;
-  frame: Frame;
   plane: Plane;
 }
 
-function Net({ figure, frame, plane, arrows }: Drawing & Pick<Props, 'arrows'>) {
-  const ends = netEnds(figure.scene.value, frame.p);
+function Net({ figure, frame, progress, plane, arrows }: Drawing & Pick<Props, 'arrows'>) {
+  const p = netPositions({ frame, progress });
+  const ends = netEnds(figure.scene.value, p);
   return (
     <>
       <SpringList figure={figure} ends={ends} net={ends} plane={plane} />
-      <PinLines frame={frame} plane={plane} />
-      <VertexList figure={figure} frame={frame} plane={plane} />
+      <PinLines frame={frame} p={p} plane={plane} />
+      <VertexList figure={figure} p={p} plane={plane} />
       {arrows && <MoveArrows arrows={arrows(frame)} plane={plane} />}
     </>
   );
 }
 
-function TornSprings({ figure, frame, plane }: Drawing) {
+function TornSprings({ figure, frame, progress, plane }: Drawing) {
   const scene = figure.scene.value;
   const net = netEnds(scene, projectedFrom(frame));
   return (
     <>
-      <Ghost figure={figure} frame={frame} ends={net} plane={plane} />
-      <SpringList figure={figure} ends={tornEnds(scene, frame)} net={net} plane={plane} />
+      <Ghost figure={figure} p={projectedFrom(frame)} ends={net} plane={plane} />
+      <SpringList figure={figure} ends={tornEnds(scene, { frame, progress })} net={net} plane={plane} />
     </>
   );
 }
 
 /** The net that the springs were torn from. */
-function Ghost({ figure, frame, ends, plane }: Drawing & { ends: Float64Array }) {
+function Ghost({
+  figure,
+  p,
+  ends,
+  plane,
+}: Pick<Drawing, 'figure' | 'plane'> & { p: Float64Array; ends: Float64Array }) {
   return (
     <g class="ghost">
       {Array.from(figure.r.value, (r, e) => (
         <path key={e} d={springPath(plane.place(ends, 2 * e), plane.place(ends, 2 * e + 1), plane.length(r))} />
       ))}
       {Array.from(figure.scene.value.m, (_, i) => {
-        const [x, y] = plane.place(projectedFrom(frame), i);
+        const [x, y] = plane.place(p, i);
         return <circle key={i} cx={x} cy={y} r={4} />;
       })}
     </g>

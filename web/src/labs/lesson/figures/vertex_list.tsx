@@ -1,6 +1,5 @@
 import { areAllLit, litThings } from '../../../app/highlight.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
-import type { Frame } from '../../../solver/frame.ts';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
 import type { Plane } from './plane.ts';
@@ -9,12 +8,13 @@ import { rove } from './roving.ts';
 
 interface Props {
   figure: FigureSession;
-  frame: Frame;
+  /** #V×3, m. */
+  p: Float64Array;
   plane: Plane;
 }
 
 /** The vertices as one tab stop; arrow keys go from one to the next, the pointer pulls at them. */
-export function VertexList({ figure, frame, plane }: Props) {
+export function VertexList({ figure, p, plane }: Props) {
   const words = lessonWords().figure;
   const { vertex: selected } = figure.selection.value;
   const lit = litThings(figure).vertex;
@@ -22,7 +22,7 @@ export function VertexList({ figure, frame, plane }: Props) {
   return (
     <g role="listbox" aria-label={words.vertices}>
       {Array.from(figure.scene.value.m, (_, i) => {
-        const [x, y] = plane.place(frame.p, i);
+        const [x, y] = plane.place(p, i);
         return (
           <g
             key={i}

@@ -1,5 +1,5 @@
-import { reducedMotion } from '../../app/preferences.ts';
-import type { Frame } from '../../solver/frame.ts';
+import type { Frame } from '../solver/frame.ts';
+import { reducedMotion } from './preferences.ts';
 
 /** Long enough to see springs tear and stitch, short enough not to wait for. */
 const duration_ms = 350;
