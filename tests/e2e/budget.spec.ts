@@ -24,11 +24,15 @@ function expectWithin(budget: number, sizes: [bytes: number, url: string][]) {
   expect(total, sizes.map((size) => size.join(' ')).join('\n')).toBeLessThan(budget);
 }
 
-test('the first visit loads less than 400 kB of script and 150 kB of fonts', async ({ page }) => {
-  const responses: Response[] = []; // of the page; what the service worker stores comes later, in the background
-  page.on('response', (response) => responses.push(response));
-  await open(page);
-  await page.evaluate(() => document.fonts.ready.then(() => undefined));
-  expectWithin(400_000, await compressedSizes(page, responses, /javascript/));
-  expectWithin(150_000, await compressedSizes(page, responses, /^font\//));
-});
+for (const [first, address] of [
+  ['lab', './'],
+  ['lesson', './#/lesson/trick'],
+])
+  test(`the first visit loads less than 400 kB of script and 150 kB of fonts: ${first}`, async ({ page }) => {
+    const responses: Response[] = []; // of the page; what the service worker stores comes later, in the background
+    page.on('response', (response) => responses.push(response));
+    await open(page, address);
+    await page.evaluate(() => document.fonts.ready.then(() => undefined));
+    expectWithin(400_000, await compressedSizes(page, responses, /javascript/));
+    expectWithin(150_000, await compressedSizes(page, responses, /^font\//));
+  });
