@@ -1,4 +1,4 @@
-import { type DataTexture, Vector3 } from 'three';
+import type { DataTexture } from 'three';
 import { expect, it } from 'vitest';
 import { createInk } from '../../../../web/src/views/scene3d/ink.ts';
 import { lightPalette } from '../../../../web/src/views/scene3d/palette.ts';
@@ -35,7 +35,7 @@ function fakePictures() {
   const content = new SceneContent(createInk(), model, () => {});
   const sent = new Map<DataTexture, number>();
   return (frame: Scene3DFrame, stage = stageOf(frame, 1), marked: Partial<Scene3DOptions> = {}) => {
-    content.refresh({ frame, stage }, { ...options, ...marked }, 100, new Vector3());
+    content.refresh({ frame, stage }, { ...options, ...marked }, 100);
     const changed = new Set<DataTexture>();
     for (const { scene } of Object.values(content.views)) {
       scene.traverseVisible((object) => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { surfaceCorners, takeRows, vertexNormals } from '../../../../web/src/views/scene3d/surface_geometry.ts';
+import { surfaceCorners, trianglesAround } from '../../../../web/src/views/scene3d/surface_geometry.ts';
 
 /** Two triangles that share the edge 1–2. */
 const F = Uint32Array.of(0, 1, 2, 2, 1, 3);
@@ -26,32 +26,31 @@ describe('surfaceCorners', () => {
   });
 });
 
-describe('vertexNormals', () => {
-  const normalsOf = (p: number[], faces: Uint32Array) => {
-    const out = new Float32Array(p.length).fill(9);
-    vertexNormals(Float64Array.from(p), faces, out);
-    return out;
+describe('trianglesAround', () => {
+  const { fans, others } = trianglesAround(F, 5);
+  /** The triangles around a vertex, each from it on. */
+  const fan = (v: number) => {
+    const around: number[][] = [];
+    for (let at = fans[2 * v]; at < fans[2 * v + 1]; at++) around.push([v, others[2 * at], others[2 * at + 1]]);
+    return around;
   };
 
-  it('of a flat sheet all point the same way, counter-clockwise from the front', () => {
-    const normals = normalsOf([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], F);
-    for (let v = 0; v < 4; v++) expect([...normals.subarray(3 * v, 3 * v + 3)]).toEqual([0, 0, 1]);
+  it('finds them in the order of their corners, by which they know their front', () => {
+    expect([0, 1, 2, 3].map(fan)).toEqual([
+      [[0, 1, 2]],
+      [
+        [1, 2, 0],
+        [1, 3, 2],
+      ],
+      [
+        [2, 0, 1],
+        [2, 1, 3],
+      ],
+      [[3, 2, 1]],
+    ]);
   });
 
-  it('at a fold larger triangles weigh more', () => {
-    // One triangle of area ½ facing +z, one of area 1 facing +x, both at vertex 0.
-    const normals = normalsOf([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2], Uint32Array.of(0, 1, 2, 0, 2, 3));
-    expect(normals[0]).toBeCloseTo(2 / Math.sqrt(5), 6);
-    expect(normals[2]).toBeCloseTo(1 / Math.sqrt(5), 6);
+  it('and none around a vertex that is only in springs', () => {
+    expect(fan(4)).toEqual([]);
   });
-
-  it('a vertex without triangles has none, and no NaN', () => {
-    expect([...normalsOf([0, 0, 0], new Uint32Array())]).toEqual([0, 0, 0]);
-  });
-});
-
-it('takeRows copies the chosen rows, in order, some of them twice', () => {
-  const out = new Float32Array(9);
-  takeRows(Float64Array.of(0, 1, 2, 3, 4, 5), Int32Array.of(1, 0, 1), out);
-  expect([...out]).toEqual([3, 4, 5, 0, 1, 2, 3, 4, 5]);
 });

@@ -1,4 +1,4 @@
-import { DirectionalLight, HemisphereLight, Scene, type Vector3 } from 'three';
+import { Scene } from 'three';
 import { interpolatePoints, thinned } from './displacements.ts';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
@@ -24,6 +24,7 @@ const leastLitRadius = 1.5;
 /** What the reader wants to see, and what is marked as a whole. */
 interface Shown {
   showSprings: boolean;
+  showSurface: boolean;
   litSprings: boolean;
   litVertices: boolean;
 }
@@ -48,7 +49,6 @@ export class GlobalView {
   /** Whether arrows come from the ghost, a place left behind, rather than point to it, a prediction. */
   private leftGhost = false;
   private readonly surface: Surface | null;
-  private readonly light = new DirectionalLight('#ffffff', 1.9);
 
   constructor(ink: Ink, model: Scene3DModel, tables: NetTables, onTexture: () => void) {
     const { pointTable, ghostTable, arrowTable } = this;
@@ -64,17 +64,17 @@ export class GlobalView {
     this.vertices = new Marks(ink, 'net', vertexCount, 'disc', pointTable);
     this.ghost = new Segments(ink, 'ghost', springCount, joining(tables.springs, ghostTable, ghostTable));
     this.arrows = new Segments(ink, 'arrow', moved.length, joining(arrowTable, pointTable, ghostTable));
-    this.surface = model.F.length > 0 ? new Surface(model, onTexture) : null;
+    this.surface = model.F.length > 0 ? new Surface(model, pointTable, onTexture) : null;
     this.overlay = new Overlay(ink, vertexCount, tables, pointTable, ends);
-    this.scene.add(new HemisphereLight('#ffffff', '#c4c8d0', 1.7), this.light, this.light.target);
     this.scene.add(this.ghost.mesh, this.segments.mesh, this.vertices.mesh, this.arrows.mesh, this.overlay.group);
     if (this.surface) this.scene.add(this.surface.mesh);
   }
 
-  setStyle(palette: Palette, strokes: Strokes, { showSprings, litSprings, litVertices }: Shown): void {
+  setStyle(palette: Palette, strokes: Strokes, { showSprings, showSurface, litSprings, litVertices }: Shown): void {
     const { background, glow } = palette;
-    const clothShown = this.surface?.mesh.visible ?? false;
+    const clothShown = this.surface !== null && showSurface;
     const spring = { width: strokes.spring, colour: palette.spring };
+    if (this.surface) this.surface.mesh.visible = clothShown;
     const pale = clothShown && !litSprings;
     this.segments.mesh.visible = showSprings || litSprings || !clothShown;
     this.vertices.mesh.visible = litVertices || (this.segments.mesh.visible && strokes.vertex > 0);
@@ -102,19 +102,10 @@ export class GlobalView {
     this.surface?.setColour(palette.cloth);
   }
 
-  /** Soft light that goes with the eye, so that no side of the cloth is ever black. */
-  lightFrom(eye: Vector3): void {
-    this.light.position.copy(eye);
-    this.light.position.y += 0.5 * eye.length();
-  }
-
-  update(stage: Stage, exaggeration: number | null, showSurface: boolean): void {
+  update(stage: Stage, exaggeration: number | null): void {
     interpolatePoints(stage.from, stage.to, stage.move, this.points);
     this.pointTable.set(this.points);
     this.updateMoves(stage, exaggeration);
-    if (!this.surface) return;
-    this.surface.mesh.visible = showSurface;
-    if (showSurface) this.surface.update(this.points);
   }
 
   /** Ghost and arrows: each vertex's way from or to where it was or will be, `exaggeration` times as long. */

@@ -123,12 +123,7 @@ export class Scene3D {
       this.framing = 'done';
     }
     const { camera } = this.orbitCamera;
-    const legend = content.refresh(
-      staged,
-      this.options,
-      this.orbitCamera.pixelsPerMetre(this.viewports.height),
-      camera.position,
-    );
+    const legend = content.refresh(staged, this.options, this.orbitCamera.pixelsPerMetre(this.viewports.height));
     if (legend !== this.legend) this.callbacks.onLegend(legend);
     this.legend = legend;
 

@@ -1,4 +1,3 @@
-import type { Vector3 } from 'three';
 import { quantile } from './exaggeration.ts';
 import { GlobalView } from './global_view.ts';
 import type { Ink } from './ink.ts';
@@ -6,7 +5,7 @@ import { LegendScales } from './legend_scales.ts';
 import { LocalView } from './local_view.ts';
 import { NetTables } from './net_tables.ts';
 import type { Stage, StagedFrame } from './stages.ts';
-import { type Strokes, strokesFor } from './strokes.ts';
+import { strokesFor } from './strokes.ts';
 import type { Scene3DLegend, Scene3DModel, Scene3DOptions } from './types.ts';
 
 /** Everything allocated for one scene. */
@@ -18,10 +17,8 @@ export class SceneContent {
   readonly V: Float64Array;
   private readonly tables: NetTables;
   private readonly scales: LegendScales;
-  private strokes = strokesFor(0);
-  private springPixels = 0;
   /** What the tables hold. */
-  private shown: { stage: Stage; legend: Scene3DLegend; showSurface: boolean } | null = null;
+  private shown: { stage: Stage; legend: Scene3DLegend } | null = null;
 
   constructor(ink: Ink, model: Scene3DModel, onTexture: () => void) {
     this.tables = new NetTables(model.E);
@@ -35,30 +32,22 @@ export class SceneContent {
   }
 
   /** Makes both views ready to be drawn; writes and sends tables only when what they hold has changed. */
-  refresh({ frame, stage }: StagedFrame, options: Scene3DOptions, pixelsPerMetre: number, eye: Vector3): Scene3DLegend {
+  refresh({ frame, stage }: StagedFrame, options: Scene3DOptions, pixelsPerMetre: number): Scene3DLegend {
     const { local, global } = this.views;
     const { palette, showSprings, showSurface, selected, pointedAt, lit } = options;
-    const strokes = this.strokesAt(this.typicalRestLength * pixelsPerMetre);
+    const strokes = strokesFor(this.typicalRestLength * pixelsPerMetre);
     const legend = this.scales.choose(stage, options, pixelsPerMetre);
-    const { shown } = this;
-    if (stage !== shown?.stage || legend !== shown.legend || showSurface !== shown.showSurface) {
+    if (stage !== this.shown?.stage || legend !== this.shown.legend) {
       this.tables.setPins(frame);
       local.update(stage, legend);
-      global.update(stage, legend.globalExaggeration, showSurface);
-      this.shown = { stage, legend, showSurface };
+      global.update(stage, legend.globalExaggeration);
+      this.shown = { stage, legend };
     }
     local.setStyle(palette, strokes, lit.localSprings);
-    global.setStyle(palette, strokes, { showSprings, litSprings: lit.globalSprings, litVertices: lit.vertices });
-    global.lightFrom(eye);
+    const { globalSprings: litSprings, vertices: litVertices } = lit;
+    global.setStyle(palette, strokes, { showSprings, showSurface, litSprings, litVertices });
     for (const { overlay } of [local, global]) overlay.show(frame.pinned.length, selected, pointedAt);
     return legend;
-  }
-
-  /** The same object as before while the camera keeps its distance. */
-  private strokesAt(springPixels: number): Strokes {
-    if (springPixels !== this.springPixels) this.strokes = strokesFor(springPixels);
-    this.springPixels = springPixels;
-    return this.strokes;
   }
 
   dispose(): void {

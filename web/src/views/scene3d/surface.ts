@@ -1,81 +1,130 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  Color,
   DoubleSide,
-  DynamicDrawUsage,
   Mesh,
-  MeshLambertMaterial,
+  ShaderMaterial,
   SRGBColorSpace,
+  type Texture,
   TextureLoader,
 } from 'three';
-import { surfaceCorners, takeRows, vertexNormals } from './surface_geometry.ts';
+import { surfaceCorners, trianglesAround } from './surface_geometry.ts';
+import { readTable, Table } from './table.ts';
 import type { Scene3DModel } from './types.ts';
 
-/** The cloth: both sides, soft light, normals recomputed from the net each frame. */
+/** The cloth: both sides, soft light. Its shader takes places from the table of points and finds the normals there, too. */
 export class Surface {
-  readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
-  /** #F×3. */
-  private readonly F: Uint32Array;
-  private readonly corners: Int32Array;
-  /** #corners×3. */
-  private readonly positions: BufferAttribute;
-  private readonly normals: BufferAttribute;
-  /** #V×3. */
-  private readonly netNormals: Float32Array;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  private readonly fans = new Table(2);
+  private readonly others = new Table(2);
+  private readonly uniforms;
 
-  constructor(model: Scene3DModel, onTexture: () => void) {
-    this.F = model.F;
+  /** `points`: #V×3, metres. */
+  constructor(model: Scene3DModel, points: Table, onTexture: () => void) {
     const { vertices, uvs, triangles } = surfaceCorners(model.F, model.texture);
-    this.corners = vertices;
-    this.positions = new BufferAttribute(new Float32Array(3 * vertices.length), 3).setUsage(DynamicDrawUsage);
-    this.normals = new BufferAttribute(new Float32Array(3 * vertices.length), 3).setUsage(DynamicDrawUsage);
-    this.netNormals = new Float32Array(model.V.length);
+    const { fans, others } = trianglesAround(model.F, model.V.length / 3);
+    this.fans.set(fans);
+    this.others.set(others);
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.positions);
-    geometry.setAttribute('normal', this.normals);
+    geometry.setAttribute('vertex', new BufferAttribute(Float32Array.from(vertices), 1));
     geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
     geometry.setIndex(new BufferAttribute(triangles, 1));
-    this.mesh = new Mesh(
-      geometry,
-      new MeshLambertMaterial({
-        side: DoubleSide,
-        polygonOffset: true, // lets springs in the cloth lie on it
-        polygonOffsetFactor: 1,
-        polygonOffsetUnits: 4,
-      }),
-    );
+    this.uniforms = {
+      points: points.uniform,
+      fans: this.fans.uniform,
+      others: this.others.uniform,
+      picture: { value: null as Texture | null },
+      pictured: { value: false },
+      colour: { value: new Color() },
+    };
+    const material = new ShaderMaterial({
+      uniforms: this.uniforms,
+      vertexShader,
+      fragmentShader,
+      side: DoubleSide,
+      polygonOffset: true, // lets springs in the cloth lie on it
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 4,
+    });
+    this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     if (model.texture) this.loadTexture(model.texture.url, onTexture);
   }
 
   /** "#rrggbb": while the texture is missing or still on its way. */
   setColour(hex: string): void {
-    const { color, map } = this.mesh.material;
-    color.setHex(map ? 0xffffff : Number.parseInt(hex.slice(1), 16));
-  }
-
-  /** `p`: #V×3, metres. */
-  update(p: Float64Array): void {
-    vertexNormals(p, this.F, this.netNormals);
-    takeRows(p, this.corners, this.positions.array);
-    takeRows(this.netNormals, this.corners, this.normals.array);
-    this.positions.needsUpdate = true;
-    this.normals.needsUpdate = true;
+    this.uniforms.colour.value.setHex(Number.parseInt(hex.slice(1), 16));
   }
 
   dispose(): void {
     this.mesh.geometry.dispose();
-    this.mesh.material.map?.dispose();
     this.mesh.material.dispose();
+    this.uniforms.picture.value?.dispose();
+    this.fans.dispose();
+    this.others.dispose();
   }
 
   private loadTexture(url: string, onTexture: () => void): void {
     new TextureLoader().load(url, (texture) => {
       texture.colorSpace = SRGBColorSpace;
       texture.anisotropy = 8; // keeps a slanted weave from blurring
-      this.mesh.material.map = texture;
-      this.mesh.material.needsUpdate = true;
+      this.uniforms.picture.value = texture;
+      this.uniforms.pictured.value = true;
       onTexture();
     });
   }
 }
+
+const vertexShader = /* glsl */ `
+  ${readTable}
+  uniform sampler2D points;
+  uniform sampler2D fans;
+  uniform sampler2D others;
+  attribute float vertex;
+  varying vec3 viewNormal;
+  varying vec2 place;
+
+  vec3 pointOf(int v) { return row(points, v).xyz; }
+
+  /** The sum of the adjacent triangles' normals, each weighted by its area. */
+  vec3 normalOf(int v) {
+    vec3 here = pointOf(v);
+    vec2 fan = row(fans, v).xy;
+    vec3 sum = vec3(0.0);
+    for (int at = int(fan.x); at < int(fan.y); at++) {
+      vec2 pair = row(others, at).xy;
+      sum += cross(pointOf(int(pair.x)) - here, pointOf(int(pair.y)) - here);
+    }
+    return sum;
+  }
+
+  void main() {
+    viewNormal = normalize(normalMatrix * normalOf(int(vertex)));
+    place = uv;
+    gl_Position = projectionMatrix * (modelViewMatrix * vec4(pointOf(int(vertex)), 1.0));
+  }
+`;
+
+/** Light from the sky and the ground, and a soft one that goes with the eye, so that no side of the cloth is ever black. */
+const fragmentShader = /* glsl */ `
+  uniform sampler2D picture;
+  uniform bool pictured;
+  uniform vec3 colour;
+  varying vec3 viewNormal;
+  varying vec2 place;
+
+  const vec3 sky = vec3(0.541);
+  const vec3 ground = vec3(0.299, 0.313, 0.341);
+  const vec3 lamp = vec3(0.605);
+
+  void main() {
+    vec3 normal = normalize(gl_FrontFacing ? viewNormal : -viewNormal);
+    vec3 up = viewMatrix[1].xyz;
+    vec3 toLamp = mat3(viewMatrix) * normalize(cameraPosition + vec3(0.0, 0.5 * length(cameraPosition), 0.0));
+    vec3 light = mix(ground, sky, 0.5 + 0.5 * dot(normal, up)) + lamp * max(0.0, dot(normal, toLamp));
+    vec3 cloth = pictured ? texture2D(picture, place).rgb : colour;
+    gl_FragColor = vec4(light * cloth, 1.0);
+    #include <colorspace_fragment>
+  }
+`;

@@ -26,38 +26,29 @@ export function surfaceCorners(F: Uint32Array, texture: Scene3DModel['texture'])
   return { vertices: Int32Array.from(vertices), uvs: Float32Array.from(uvs), triangles };
 }
 
-/** Writes unit normals (#V×3): the sum of the adjacent triangles' normals, each weighted by its area; zero where there is none. */
-export function vertexNormals(p: Float64Array, F: Uint32Array, out: Float32Array): void {
-  out.fill(0);
-  for (let f = 0; f < F.length; f += 3) {
-    const a = 3 * F[f];
-    const b = 3 * F[f + 1];
-    const c = 3 * F[f + 2];
-    const ux = p[b] - p[a];
-    const uy = p[b + 1] - p[a + 1];
-    const uz = p[b + 2] - p[a + 2];
-    const vx = p[c] - p[a];
-    const vy = p[c + 1] - p[a + 1];
-    const vz = p[c + 2] - p[a + 2];
-    for (let at = f; at < f + 3; at++) {
-      const corner = 3 * F[at];
-      out[corner] += uy * vz - uz * vy;
-      out[corner + 1] += uz * vx - ux * vz;
-      out[corner + 2] += ux * vy - uy * vx;
-    }
-  }
-  for (let v = 0; v < out.length; v += 3) {
-    const length = Math.sqrt(out[v] ** 2 + out[v + 1] ** 2 + out[v + 2] ** 2);
-    if (length > 0) for (let c = 0; c < 3; c++) out[v + c] /= length;
-  }
+/** The triangles around every vertex. */
+interface Fans {
+  /** #V×2: where in `others` those of a vertex begin and end. */
+  fans: Uint32Array;
+  /** #F·3×2: the two other vertices of a triangle, in its own order. */
+  others: Uint32Array;
 }
 
-/** Writes the chosen rows of `from` (#×3), one after the other, to `out` (#rows×3). */
-export function takeRows(from: ArrayLike<number>, rows: Int32Array, out: { [at: number]: number }): void {
-  for (let to = 0; to < rows.length; to++) {
-    const at = 3 * rows[to];
-    out[3 * to] = from[at];
-    out[3 * to + 1] = from[at + 1];
-    out[3 * to + 2] = from[at + 2];
+export function trianglesAround(F: Uint32Array, vertexCount: number): Fans {
+  const fans = new Uint32Array(2 * vertexCount);
+  for (const vertex of F) fans[2 * vertex + 1] += 1;
+  for (let v = 0, end = 0; v < vertexCount; v++) {
+    fans[2 * v] = end;
+    end += fans[2 * v + 1];
+    fans[2 * v + 1] = fans[2 * v];
   }
+  const others = new Uint32Array(2 * F.length);
+  for (let f = 0; f < F.length; f += 3) {
+    for (let corner = 0; corner < 3; corner++) {
+      const at = 2 * fans[2 * F[f + corner] + 1]++;
+      others[at] = F[f + ((corner + 1) % 3)];
+      others[at + 1] = F[f + ((corner + 2) % 3)];
+    }
+  }
+  return { fans, others };
 }
