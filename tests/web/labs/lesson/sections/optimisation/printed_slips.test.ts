@@ -10,7 +10,7 @@ const spring = await openScene('single-spring-horizontal');
 const parameters = { ...sceneParameters(spring), delta_t: 0.2 };
 
 it.each(printedSlips)(
-  'E with the slip "$id" has another gradient than the solver’s, the right E has the same',
+  'E with the slip $id has another gradient than the solver’s, the right E has the same',
   ({ printedEnergy }) => {
     const s = openSimulation(spring, parameters);
     for (let step = 0; step < 3; step++) expectOk(s.step());
