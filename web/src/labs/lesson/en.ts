@@ -12,9 +12,11 @@ export const en = {
     answer: 'The answer',
   },
   stepper: {
+    first: 'To the beginning',
     back: 'One step back',
     forward: 'One step on',
   },
+  timingFailed: 'Nothing could be timed. {{reason}}',
   slip: {
     label: 'A slip in print',
     printed: 'printed',

@@ -15,9 +15,11 @@ export const zh: Catalogue<typeof en> = {
     answer: '答案',
   },
   stepper: {
+    first: '回到开头',
     back: '后退一步',
     forward: '前进一步',
   },
+  timingFailed: '无法计时。{{reason}}',
   slip: {
     label: '印刷有误',
     printed: '原文',

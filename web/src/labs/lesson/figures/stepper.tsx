@@ -1,4 +1,3 @@
-import { t } from '../../../app/messages/index.ts';
 import { lessonWords } from '../lesson_words.ts';
 import { TransportButton } from './transport_button.tsx';
 
@@ -16,7 +15,7 @@ export function Stepper({ label, step, last, onStep }: Props) {
   const words = lessonWords().stepper;
   return (
     <fieldset class="figure-transport" aria-label={label}>
-      <TransportButton icon="reset" label={t('page.transport.reset')} off={step === 0} onClick={() => onStep(0)} />
+      <TransportButton icon="reset" label={words.first} off={step === 0} onClick={() => onStep(0)} />
       <TransportButton icon="previousStep" label={words.back} off={step === 0} onClick={() => onStep(step - 1)} />
       <TransportButton icon="nextStep" label={words.forward} off={step === last} onClick={() => onStep(step + 1)} />
       <input
@@ -24,7 +23,7 @@ export function Stepper({ label, step, last, onStep }: Props) {
         min={0}
         max={last}
         value={step}
-        style={{ '--filled': `${(100 * step) / last}%` }}
+        style={{ '--filled': `${(100 * step) / Math.max(1, last)}%` }}
         aria-label={label}
         onInput={(event) => onStep(event.currentTarget.valueAsNumber)}
       />

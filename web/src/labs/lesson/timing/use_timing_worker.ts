@@ -5,7 +5,7 @@ import { inTimingWorker, type TimingTask } from './in_timing_worker.ts';
 /** A button's way to the timing worker: one task at a time, ended by `stop` or when the component goes. */
 export function useTimingWorker() {
   const running = useSignal<AbortController | null>(null);
-  const failure = useSignal<string | null>(null);
+  const failure = useSignal<unknown>(null);
   const stop = () => running.value?.abort();
 
   /** Null when it was stopped or failed; `failure` then says why. */
@@ -16,7 +16,7 @@ export function useTimingWorker() {
     try {
       return await inTimingWorker(controller.signal, task);
     } catch (reason) {
-      failure.value = (reason as Error).message;
+      failure.value = reason;
       return null;
     } finally {
       running.value = null;

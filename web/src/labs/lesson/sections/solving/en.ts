@@ -29,8 +29,8 @@ and $\symp$. Then pull at a vertex, and move the slider: what changes $\symL$?`,
     start: 'The first row of the left table has one entry that is not zero.',
     forwards: 'Down',
     backwards: 'Up',
-    residual: 'Solved. Largest entry of |Q p − b|: {{residual}} N',
-    counted: 'Since you opened this page: Q factorised {{factorised}} times, solved with {{solved}} times',
+    residual: 'Solved: no row of Q p differs from b by more than {{residual}} N.',
+    counted: 'Since you opened this page: factorisations of Q {{factorised}}, solves {{solved}}.',
   },
   precompute: raw`
 Pulling changes $\symb$, and $x$ and $\symp$ with it. $\symL$ stays. It changes only with $\symQ$: when $\symk$,
@@ -41,14 +41,19 @@ At 50 iterations and 30 time steps that is one factorisation for 1,500 solves ea
 `,
   refactorise: {
     ask: 'I factorise inside the loop over the iterations, and the picture is right. Is that right?',
-    hint: raw`Which letters stand in $\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm T}\symC$? Which of them change inside the loop?`,
+    hint: raw`
+Which letters stand in
+
+$$\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm T}\symC$$
+
+and which of them change inside the loop?
+`,
     answer: raw`The positions are right, the work is wasted: neither $\symp$ nor $\symd$ nor $\symb$ stands in $\symQ$, so every
 factorisation finds the $\symL$ that you already had. Let the clock say what that costs:`,
   },
   refactorising: {
     start: 'Time both',
     running: 'Timing…',
-    failed: 'The clock could not be started: {{reason}}',
     caption: 'The solves of one time step: {{iterations}} iterations, n = {{n}} vertices',
     once: 'factorised before',
     everyTime: 'factorised every time',
@@ -73,7 +78,6 @@ page goes on.
     stop: 'Stop',
     progress: 'Nets measured',
     finished: 'Finished',
-    failed: 'The clock could not be started: {{reason}}',
     plot: 'Time of each call against n, both axes logarithmic. Numbers in the tables below.',
     axes: { n: 'n, vertices', time: 'Time of one call, ms' },
     exponents: 'How the time grows with n',
@@ -85,10 +89,10 @@ page goes on.
       'Ten nets, each with about twice the vertices of the last. Lines: powers of n fitted by least squares. What took longer than a quarter of a second is not tried on larger nets.',
     calls: {
       dense_inverse: 'dense inverse',
-      dense_factorise: 'dense factorisation',
-      dense_substitute: 'dense substitution',
-      sparse_factorise: 'sparse factorisation',
-      sparse_substitute: 'sparse substitution',
+      dense_factorise: 'dense factor',
+      dense_substitute: 'dense solve',
+      sparse_factorise: 'sparse factor',
+      sparse_substitute: 'sparse solve',
     },
   },
   reading: raw`

@@ -3,6 +3,7 @@ import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber } from '../../../../lib/format.ts';
 import type { RefactorisingTime } from '../../../../solver/time_solving.ts';
 import { inLanguage } from '../../text.ts';
+import { Failure } from '../../timing/failure.tsx';
 import { formatTime } from '../../timing/format_time.ts';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';
 import { en } from './en.ts';
@@ -25,11 +26,7 @@ export function RefactorisingExperiment() {
       <button type="button" aria-disabled={running} onClick={() => !running && void start()}>
         {running ? words.running : words.start}
       </button>
-      {failure && (
-        <p class="figure-refusal" role="alert">
-          {failure}
-        </p>
-      )}
+      <Failure reason={failure} />
       <table class="numbers">
         <caption>{fillTemplate(words.caption, { n: side * side, iterations })}</caption>
         <thead>

@@ -18,7 +18,7 @@ import { zh } from './zh.ts';
 const byHand: FigureSettings = {
   scene: 'square',
   parameters: { w: 1000, iterations: 4 },
-  selection: { spring: 0, vertex: 3 },
+  selection: { spring: null, vertex: 3 },
   opening: [
     { kind: 'play', steps: 3 },
     { kind: 'next_half_step' },

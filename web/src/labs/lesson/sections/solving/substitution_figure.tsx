@@ -63,17 +63,22 @@ export function SubstitutionFigure({ figure }: { figure: FigureSession }) {
   );
 }
 
-/** How often this page has needed a new L, and how often it could go on with the one it had. */
+/** How often this page has needed a new L, and how often a new p. */
 function useCounts(seen: Seen | null) {
-  const [counts, setCounts] = useState({ Q: '', factorised: 0, solved: 0 });
+  const [counts, setCounts] = useState({ Q: '', b: '', factorised: 0, solved: 0 });
   useEffect(() => {
     if (!seen) return;
     const Q = seen.Q.value.join();
-    setCounts((before) => ({
-      Q,
-      factorised: before.factorised + (Q === before.Q ? 0 : 1),
-      solved: before.solved + 1,
-    }));
+    const b = seen.equations.map((equation) => equation.b).join();
+    setCounts((before) => {
+      const isNew = { Q: Q !== before.Q, b: b !== before.b };
+      return {
+        Q,
+        b,
+        factorised: before.factorised + (isNew.Q ? 1 : 0),
+        solved: before.solved + (isNew.Q || isNew.b ? 1 : 0),
+      };
+    });
   }, [seen]);
   return counts;
 }

@@ -1,9 +1,9 @@
 import { proxy } from 'comlink';
 import { useState } from 'preact/hooks';
-import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { type SolvingCall, type SolvingTime, solvingCalls } from '../../../../solver/time_solving.ts';
 import { LineChart, type Series } from '../../figures/line_chart.tsx';
 import { inLanguage } from '../../text.ts';
+import { Failure } from '../../timing/failure.tsx';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';
 import { en } from './en.ts';
 import { ExponentTable } from './exponent_table.tsx';
@@ -21,27 +21,25 @@ export function TimingExperiment() {
   const words = inLanguage({ en, zh }).timing;
   const { running, failure, run, stop } = useTimingWorker();
   const [times, setTimes] = useState<readonly SolvingTime[]>([]);
+  const [finished, setFinished] = useState(false);
   const laws = lawsOf(times);
   const done = new Set(times.map(({ n }) => n)).size;
-  const start = () => {
+  const start = async () => {
     setTimes([]);
+    setFinished(false);
     const report = proxy((time: SolvingTime) => setTimes((before) => [...before, time]));
-    void run((service) => service.timeSolving(sides, report));
+    setFinished((await run((service) => service.timeSolving(sides, report).then(() => true))) ?? false);
   };
   return (
     <figure class="figure timing" data-running={running}>
       <div class="experiment-controls">
-        <button type="button" onClick={running ? stop : start}>
+        <button type="button" onClick={running ? stop : () => void start()}>
           {running ? words.stop : times.length > 0 ? words.again : words.start}
         </button>
         <progress max={sides.length} value={done} aria-label={words.progress} />
-        <span role="status">{times.length > 0 && !running ? words.finished : ''}</span>
+        <span role="status">{finished && words.finished}</span>
       </div>
-      {failure && (
-        <p class="figure-refusal" role="alert">
-          {fillTemplate(words.failed, { reason: failure })}
-        </p>
-      )}
+      <Failure reason={failure} />
       <LineChart
         series={solvingCalls.map((call) =>
           seriesOf(
@@ -51,7 +49,7 @@ export function TimingExperiment() {
           ),
         )}
         x={{ label: words.axes.n, logarithmic: true, range: [10, 20_000] }}
-        y={{ label: words.axes.time, logarithmic: true, range: [1e-3, 1e3] }}
+        y={{ label: words.axes.time, logarithmic: true, range: [1e-4, 1e4] }}
         summary={words.plot}
       />
       <ExponentTable laws={laws} />

@@ -31,8 +31,8 @@ $\symL x = \symb$ 的第一行只有一个元素，做一次除法便得 $x_0$�
     start: '左表的第一行只有一个非零元素。',
     forwards: '向下：前代',
     backwards: '向上：回代',
-    residual: '解毕。|Q p − b| 的最大元素：{{residual}} N',
-    counted: '打开本页以来：Q 分解了 {{factorised}} 次，用它求解了 {{solved}} 次',
+    residual: '解毕：Q p 的每一行与 b 相差不超过 {{residual}} N。',
+    counted: '打开本页以来：分解 Q {{factorised}} 次，求解 {{solved}} 次。',
   },
   precompute: raw`
 拖动改变 $\symb$，$x$ 与 $\symp$ 随之改变，$\symL$ 却不变。只有 $\symQ$ 变时它才变：也就是 $\symk$、$\symdeltaT$、$\symw$、
@@ -43,14 +43,19 @@ $\symL x = \symb$ 的第一行只有一个元素，做一次除法便得 $x_0$�
 `,
   refactorise: {
     ask: '我把分解写在迭代循环里面，画面是对的。这样做对吗？',
-    hint: raw`$\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm T}\symC$ 里有哪些字母？循环中哪些会变？`,
+    hint: raw`
+看看
+
+$$\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm T}\symC$$
+
+里有哪些字母，循环中哪些会变？
+`,
     answer: raw`位置是对的，功夫却白费了：$\symp$、$\symd$、$\symb$ 都不在 $\symQ$ 里，每次分解得到的都是早已有的 $\symL$。
 代价多大，让时钟来说：`,
   },
   refactorising: {
     start: '两种都计时',
     running: '正在计时……',
-    failed: '无法开始计时：{{reason}}',
     caption: '一个时间步的全部求解：{{iterations}} 次迭代，n = {{n}} 个质点',
     once: '事先分解',
     everyTime: '每次都分解',
@@ -74,7 +79,6 @@ $\symL x = \symb$ 的第一行只有一个元素，做一次除法便得 $x_0$�
     stop: '停止',
     progress: '已测的网',
     finished: '测量完毕',
-    failed: '无法开始计时：{{reason}}',
     plot: '各种运算的时间与 n 的关系，两轴均为对数。下面的表格给出同样的数值。',
     axes: { n: 'n，质点数', time: '一次运算的时间，ms' },
     exponents: '时间随 n 的增长',
@@ -87,9 +91,9 @@ $\symL x = \symb$ 的第一行只有一个元素，做一次除法便得 $x_0$�
     calls: {
       dense_inverse: '稠密求逆',
       dense_factorise: '稠密分解',
-      dense_substitute: '稠密代入',
+      dense_substitute: '稠密求解',
       sparse_factorise: '稀疏分解',
-      sparse_substitute: '稀疏代入',
+      sparse_substitute: '稀疏求解',
     },
   },
   reading: raw`

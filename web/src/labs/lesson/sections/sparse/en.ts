@@ -65,7 +65,6 @@ zeros left out and with all of them stored; the second takes a while and some 35
   flag: {
     start: 'Time one frame of the flag',
     stop: 'Stop',
-    failed: 'The clock could not be started: {{reason}}',
     tooLarge: 'The solver refuses: so many zeros do not fit into its memory.',
     caption: 'The flag on the plain path, 50 iterations',
     precomputation: 'precomputation',
@@ -84,7 +83,7 @@ are renumbered, nothing else. A simple good rule: next comes the vertex with the
     order: 'Order of elimination',
     natural: 'as numbered',
     minimumDegree: 'fewest neighbours first',
-    Q: 'P Q Pᵀ: {{Q}} of {{all}} entries',
+    Q: 'Q, renumbered: {{Q}} of {{all}} entries',
     L: 'L: {{L}} entries, {{filled}} of them fill-in',
     caption: 'The net of 61 vertices. Coloured: fill-in.',
   },

@@ -1,10 +1,10 @@
 import { useState } from 'preact/hooks';
 import { findScene } from '../../../../app/scene_library.ts';
 import { parametersOn, pinsOn } from '../../../../app/state.ts';
-import { fillTemplate } from '../../../../lib/fill_template.ts';
 import type { Parameters } from '../../../../solver/module.ts';
 import type { SceneTime } from '../../../../solver/time_scene.ts';
 import { inLanguage } from '../../text.ts';
+import { Failure } from '../../timing/failure.tsx';
 import { formatTime } from '../../timing/format_time.ts';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';
 import { en } from './en.ts';
@@ -22,8 +22,8 @@ export function FlagExperiment() {
   const start = async () => {
     setTimes({});
     setRefused(false);
-    const scene = await findScene('flag');
     await run(async (service) => {
+      const scene = await findScene('flag');
       for (const storage of storages) {
         const parameters: Parameters = { ...parametersOn(scene, {}), path: 'plain', storage };
         const outcome = await service.timeScene(scene, pinsOn(scene, null), parameters);
@@ -37,9 +37,10 @@ export function FlagExperiment() {
       <button type="button" onClick={() => (running ? stop() : void start())}>
         {running ? words.stop : words.start}
       </button>
-      {(failure || refused) && (
+      <Failure reason={failure} />
+      {refused && (
         <p class="figure-refusal" role="alert">
-          {failure ? fillTemplate(words.failed, { reason: failure }) : words.tooLarge}
+          {words.tooLarge}
         </p>
       )}
       <table class="numbers" aria-busy={running}>

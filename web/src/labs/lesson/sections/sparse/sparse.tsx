@@ -27,7 +27,7 @@ import { zh } from './zh.ts';
 const assembling: FigureSettings = {
   scene: 'square',
   parameters: { w: 1000, iterations: 4 },
-  selection: { spring: 0, vertex: 2 },
+  selection: { spring: null, vertex: 2 },
   opening: [
     { kind: 'play', steps: 3 },
     { kind: 'next_half_step' },
@@ -65,9 +65,16 @@ function Assembling() {
   const seen = useInspection(figure);
   const [inserted, setInserted] = useState(0);
   const [repetition, setRepetition] = useState<Repetition>('add');
-  const { E, m } = figure.scene.value;
-  const pinned = seen?.frame.pinned ?? [];
+  const { E, m, pinned } = figure.scene.value;
   const triplets = tripletsOfQ({ E, m }, pinned, figure.parameters.value);
+  const insert = (count: number) => {
+    setInserted(count);
+    const from = triplets[count - 1]?.from;
+    figure.selection.value = {
+      spring: from?.kind === 'spring' ? from.index : null,
+      vertex: from && from.kind !== 'spring' ? from.index : null,
+    };
+  };
   const complete = inserted === triplets.length;
   const step = seen && complete ? globalStepWith(withZeros(assembled(m.length, triplets, repetition)), seen) : null;
   const arrows = ({ p }: Frame): Arrows => ({ from: p, to: step && 'p' in step ? step.p : p, symbol: 'p' });
@@ -77,7 +84,7 @@ function Assembling() {
         figure={figure}
         triplets={triplets}
         inserted={Math.min(inserted, triplets.length)}
-        onInsert={setInserted}
+        onInsert={insert}
         repetition={repetition}
         onRepetition={setRepetition}
       />

@@ -63,7 +63,6 @@ $\symk$，在 $(i, j)$ 和 $(j, i)$ 处各加 $-\symk$；质量和固定点只�
   flag: {
     start: '给旗子的一帧计时',
     stop: '停止',
-    failed: '无法开始计时：{{reason}}',
     tooLarge: '求解器拒绝了：这么多零放不进它的内存。',
     caption: '旗子，朴素算法，50 次迭代',
     precomputation: '预计算',
@@ -82,7 +81,7 @@ $\symP\symQ\symP^{\mathrm T} = \symL\symL^{\mathrm T}$：只是给质点重新�
     order: '消去次序',
     natural: '按编号',
     minimumDegree: '邻点最少者先',
-    Q: 'P Q Pᵀ：{{all}} 个元素中 {{Q}} 个',
+    Q: '重新编号的 Q：{{all}} 个元素中 {{Q}} 个',
     L: 'L：{{L}} 个元素，其中填充元 {{filled}} 个',
     caption: '61 个质点的网。彩色：填充元。',
   },
