@@ -31,7 +31,7 @@ export function TimingExperiment() {
     setFinished((await run((service) => service.timeSolving(sides, report).then(() => true))) ?? false);
   };
   return (
-    <figure class="figure timing" data-running={running}>
+    <figure class="figure timing" data-ready data-running={running}>
       <div class="experiment-controls">
         <button type="button" onClick={running ? stop : () => void start()}>
           {running ? words.stop : times.length > 0 ? words.again : words.start}

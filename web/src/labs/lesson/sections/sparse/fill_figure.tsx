@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
+import { noScene } from '../../../../scene/scene.ts';
 import { PatternPlot } from '../../figures/pattern_plot.tsx';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
 import { inLanguage } from '../../text.ts';
@@ -15,15 +16,14 @@ export function FillFigure() {
   const words = inLanguage({ en, zh }).fill;
   const [order, setOrder] = useState<Order>('natural');
   const net = useSceneInspection('net');
-  if (!net) return null;
-
-  const n = net.scene.m.length;
-  const pattern = patternOf(n, net.scene.E);
+  const { m, E } = net ? net.scene : noScene;
+  const n = m.length;
+  const pattern = patternOf(n, E);
   const { kept, filled } = factorPattern(pattern, orders[order](pattern));
   const diagonal = pattern.map((_, i): [number, number] => [i, i]);
   const counts = { all: n * n, Q: n + 2 * kept.length, L: n + kept.length + filled.length, filled: filled.length };
   return (
-    <figure class="figure fill-in" data-filled={filled.length}>
+    <figure class="figure fill-in" data-ready={net !== null} data-filled={filled.length}>
       <fieldset class="choices">
         <legend>{words.order}</legend>
         {(Object.keys(orders) as Order[]).map((choice) => (
