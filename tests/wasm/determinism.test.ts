@@ -1,7 +1,7 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from 'vitest';
-import type { Parameters } from '../../web/src/solver/module.ts';
+import { methods, type Parameters } from '../../web/src/solver/module.ts';
 import { openScene } from '../support/open_scene.ts';
 import { expectOk, openSimulation } from '../support/open_simulation.ts';
 import { net, type SmallScene, usualParameters } from '../support/small_scenes.ts';
@@ -13,7 +13,7 @@ beforeAll(() => {
 }, 600_000); // compiles everything on a fresh machine
 
 function runNatively({ V, E, m, pinned }: SmallScene, parameters: Parameters, steps: number): number[] {
-  const { k, delta_t, w, mass_scale, iterations, gravity, path, storage } = parameters;
+  const { k, delta_t, w, mass_scale, iterations, gravity, path, storage, method } = parameters;
   const counts = [m.length, E.length / 2, pinned.length, steps];
   const settings = [
     k,
@@ -24,6 +24,7 @@ function runNatively({ V, E, m, pinned }: SmallScene, parameters: Parameters, st
     gravity,
     Number(storage === 'dense'),
     Number(path === 'fast'),
+    methods.indexOf(method),
   ];
   const input = [counts, settings, V, E, m, pinned].map((values) => values.join(' ')).join('\n');
   const output = execFileSync(join(wasm, 'build/native/run_scene'), { input, encoding: 'utf8' });
@@ -50,6 +51,13 @@ test('and so do net and tower on the fast path', async () => {
   ] as const) {
     const parameters = { ...usualParameters, k, path: 'fast' } as const;
     expect(runInWebAssembly(scene, parameters, 20)).toEqual(runNatively(scene, parameters, 20));
+  }
+});
+
+test.each(['chebyshev', 'anderson', 'lbfgs'] as const)('and so does a net by %s, on either path', (method) => {
+  for (const path of ['fast', 'plain'] as const) {
+    const parameters = { ...usualParameters, method, path };
+    expect(runInWebAssembly(net(6), parameters, 20)).toEqual(runNatively(net(6), parameters, 20));
   }
 });
 

@@ -1,7 +1,7 @@
 // Runs a scene from rest with the core as built natively, for determinism.test.ts to compare bits
 // with. stdin: the numbers of vertices, springs, pins and steps; k, delta_t, w, mass_scale,
-// iterations, gravity, whether dense, whether fast; then V, E, m and the pins. stdout: the
-// positions, to the last bit.
+// iterations, gravity, whether dense, whether fast, the method's number; then V, E, m and the pins.
+// stdout: the positions, to the last bit.
 
 #include <cstdio>
 #include <iostream>
@@ -26,10 +26,12 @@ int main() {
   const std::vector<int> counts = read<int>(4);
   Parameters parameters;
   bool dense, fast;
+  int method;
   std::cin >> parameters.k >> parameters.delta_t >> parameters.w >> parameters.mass_scale >>
-      parameters.iterations >> parameters.gravity >> dense >> fast;
+      parameters.iterations >> parameters.gravity >> dense >> fast >> method;
   parameters.storage = dense ? Storage::dense : Storage::sparse;
   parameters.path = fast ? Path::fast : Path::plain;
+  parameters.method = static_cast<Method>(method);
   const auto V = read<double>(3 * counts[0]);
   const auto E = read<int>(2 * counts[1]);
   const auto m = read<double>(counts[0]);
