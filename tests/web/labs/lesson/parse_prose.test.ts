@@ -31,9 +31,9 @@ describe('parseProse', () => {
         kind: 'paragraph',
         spans: [
           text('Let '),
-          { kind: 'tex', text: raw`\symp_i` },
+          { kind: 'tex', text: raw`\symp_i`, after: '' },
           text(' be '),
-          { kind: 'strong', spans: [text('the '), { kind: 'tex', text: 'i' }, text('-th row')] },
+          { kind: 'strong', spans: [text('the '), { kind: 'tex', text: 'i', after: '' }, text('-th row')] },
           text(', '),
           { kind: 'code', text: 'p.row(i)' },
           text(', as in '),
@@ -44,9 +44,23 @@ describe('parseProse', () => {
     ]);
   });
 
+  it('keeps what may not begin a line with the formula before it', () => {
+    expect(parseProse('位置是 $p$。质量是 $m$；')).toEqual([
+      {
+        kind: 'paragraph',
+        spans: [
+          text('位置是 '),
+          { kind: 'tex', text: 'p', after: '。' },
+          text('质量是 '),
+          { kind: 'tex', text: 'm', after: '；' },
+        ],
+      },
+    ]);
+  });
+
   it('makes no space of a line break between Chinese characters, but one beside a formula', () => {
     expect(parseProse('质点的\n      位置是 $p$\n      。')).toEqual([
-      { kind: 'paragraph', spans: [text('质点的位置是 '), { kind: 'tex', text: 'p' }, text(' 。')] },
+      { kind: 'paragraph', spans: [text('质点的位置是 '), { kind: 'tex', text: 'p', after: '' }, text(' 。')] },
     ]);
   });
 });

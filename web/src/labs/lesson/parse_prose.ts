@@ -1,7 +1,9 @@
 import type { SectionId } from '../../notation/sections.ts';
 
 export type Span =
-  | { kind: 'text' | 'code' | 'tex'; text: string }
+  | { kind: 'text' | 'code'; text: string }
+  /** `after`: the punctuation that may not begin a line of its own. */
+  | { kind: 'tex'; text: string; after: string }
   | { kind: 'strong'; spans: Span[] }
   | { kind: 'link'; text: string; section: SectionId };
 
@@ -10,7 +12,8 @@ export type Block =
   | { kind: 'list'; items: Span[][] }
   | { kind: 'display'; tex: string };
 
-const marks = /\*\*([^*]+)\*\*|\$([^$]+)\$|\|([^|]+)\||\[([^\]]+)\]\((\w+)\)/g;
+const marks =
+  /\*\*([^*]+)\*\*|\$([^$]+)\$([.,;:!?)\u3001\u3002\uff01\uff09\uff0c\uff1a\uff1b\uff1f]*)|\|([^|]+)\||\[([^\]]+)\]\((\w+)\)/g;
 
 /** Full-width punctuation and Chinese characters: between two of them a line break in the source is no space. */
 const wide = /[\u2014\u2018-\u201d\u2026\u3000-\u303f\u4e00-\u9fff\uff00-\uffef]/;
@@ -46,10 +49,10 @@ function parseSpans(source: string): Span[] {
   const spans: Span[] = [];
   let end = 0;
   for (const mark of text.matchAll(marks)) {
-    const [whole, strong, tex, code, link, id] = mark;
+    const [whole, strong, tex, after, code, link, id] = mark;
     if (mark.index > end) spans.push({ kind: 'text', text: text.slice(end, mark.index) });
     if (strong !== undefined) spans.push({ kind: 'strong', spans: parseSpans(strong) });
-    else if (tex !== undefined) spans.push({ kind: 'tex', text: tex });
+    else if (tex !== undefined) spans.push({ kind: 'tex', text: tex, after });
     else if (code !== undefined) spans.push({ kind: 'code', text: code });
     else spans.push({ kind: 'link', text: link, section: id as SectionId }); // held by tests/web/labs/lesson/texts.test.ts
     end = mark.index + whole.length;

@@ -4,6 +4,9 @@ import { Formula } from '../../views/equations/formula.tsx';
 import { Display } from './display.tsx';
 import { type Block, parseProse, type Span } from './parse_prose.ts';
 
+/** Characters of TeX: longer formulas may need to break on a phone. */
+const longestUnbroken = 40;
+
 /** Author's text (parse_prose.ts says in what notation) as the reader sees it. */
 export function Prose({ text }: { text: string }) {
   return <>{parseProse(text).map((block, at) => renderBlock(block, at))}</>;
@@ -38,7 +41,12 @@ function renderSpans(spans: readonly Span[]): ComponentChildren {
 function renderSpan(span: Span, key: number): ComponentChildren {
   switch (span.kind) {
     case 'tex':
-      return <Formula key={key} tex={span.text} />;
+      return (
+        <span key={key} class={span.text.length < longestUnbroken ? 'unbroken' : ''}>
+          <Formula tex={span.text} />
+          {span.after}
+        </span>
+      );
     case 'strong':
       return <strong key={key}>{renderSpans(span.spans)}</strong>;
     case 'code':
