@@ -39,9 +39,9 @@ What if both ends meet? Then every vector on the circle is equally close, and th
   quadratic: {
     ask: raw`The formula is a square. So is the energy a quadratic function of $\symp$, a parabola?`,
     hint: raw`Slide one end of a spring along a line through the other end, and out again on the far side. At how many places is the energy zero?`,
-    answer: raw`No. The energy is zero on **both** sides, at $\symr$ to the left and to the right, with a peak in between where the ends meet. A parabola has one lowest point. Hold the closest vector $\symd$ fixed instead and a true parabola is left, $\tfrac12\symk\lVert(\symp_i-\symp_j)-\symd\rVert^2$: it touches the energy on one side and lies above it everywhere else.`,
+    answer: raw`No. The energy is zero on **both** sides, at $\symr$ to the left and to the right, with a peak in between where the ends meet. A parabola has one lowest point. Hold the closest vector $\symd$ fixed instead and a true parabola is left, $\tfrac12\symk\lVert(\symp_i-\symp_j)-\symd\rVert^2$: on one side it is the energy itself, on the other it lies above.`,
     summary:
-      'Two curves over the place of one end. The energy of the spring has two lowest points and a peak between them; the parabola for fixed d touches it on the right side and is above it elsewhere.',
+      'Two curves over the place of one end. The energy of the spring has two lowest points and a peak between them; the parabola for fixed d is the same curve on the right side and lies above it on the left.',
     x: raw`$\symp_i - \symp_j$ along the line (m)`,
     y: raw`energy (J)`,
     energy: 'spring',

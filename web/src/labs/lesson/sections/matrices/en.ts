@@ -46,7 +46,7 @@ $\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
   changes: {
     ask: raw`You pull at a vertex. Which of $\symA$, $\symM$, $\symQ$, $\symp$, $\symd$ and $\symb$ change? And which when you change $\symk$?`,
     hint: raw`Look for $\symp$ in the definition of each.`,
-    answer: raw`Nothing with a capital letter knows where the vertices are. $\symQ$ depends on the springs, $\symk$, the masses, $\symdeltaT$, the pinned set and $\symw$, and stays as it is from step to step; that is why it is worth factorising once. $\symp$, $\symd$ and $\symb$ change in every half-step. Try both below.`,
+    answer: raw`$\symA$, $\symM$ and $\symQ$ do not know where the vertices are now. $\symQ$ depends on the springs, $\symk$, the masses, $\symdeltaT$, the pinned set and $\symw$, and stays as it is from step to step; that is why it is worth factorising once. When you pull, $\symp$ changes, with it $\symd$ at the next local step, and with $\symd$ the right side $\symb$. When you change $\symk$, $\symQ$ and $\symb$ change at once, and $\symp$ and $\symd$ follow. Try both below.`,
     caption: 'What the last change changed is marked.',
     changed: 'changed',
     same: 'as it was',

@@ -49,7 +49,7 @@ $\symC$ 和 $\symw$ 与固定顶点有关，详见[第 9 节](pins)。`,
   changes: {
     ask: raw`拖动一个顶点时，$\symA$、$\symM$、$\symQ$、$\symp$、$\symd$ 和 $\symb$ 中哪些会改变？改变 $\symk$ 时又有哪些会改变？`,
     hint: raw`在它们各自的定义中找一找 $\symp$。`,
-    answer: raw`大写字母表示的矩阵都不知道顶点在哪里。$\symQ$ 只取决于弹簧、$\symk$、质量、$\symdeltaT$、固定顶点的集合以及 $\symw$，在各个时间步之间保持不变，所以值得只分解一次。$\symp$、$\symd$ 和 $\symb$ 则每半步都在变。不妨在下面试一试这两种操作。`,
+    answer: raw`$\symA$、$\symM$ 和 $\symQ$ 都不知道顶点此刻在哪里。$\symQ$ 只取决于弹簧、$\symk$、质量、$\symdeltaT$、固定顶点的集合以及 $\symw$，在各个时间步之间保持不变，所以值得只分解一次。拖动时，先是 $\symp$ 改变，$\symd$ 在下一个局部步随之改变，右端 $\symb$ 又随 $\symd$ 改变。改变 $\symk$ 时，$\symQ$ 和 $\symb$ 立即改变，$\symp$ 和 $\symd$ 随后改变。不妨在下面试一试这两种操作。`,
     caption: '最近一次操作改变了的量会被标出。',
     changed: '已改变',
     same: '未改变',

@@ -14,12 +14,12 @@ To write that without an index, let $\symC$ pick the pinned rows: a row for ever
   weak: {
     title: 'A penalty gives way',
     text: raw`
-A spring that pulls with a force is longer than its rest length, and this one is no exception: the pin yields until its pull balances the rest of the net, by force over $\symw$. With $\symw = 10^{10}\,\text{N/m}$ that is far less than an atom; with a small $\symw$ you can see it hang.
+A spring that pulls with a force is longer than its rest length, and this one is no exception: the pin yields until its pull balances the rest of the net, by force over $\symw$. With $\symw = 10^{10}\,\text{N/m}$ that is about a millionth of a millimetre; with a small $\symw$ you can see it hang.
 
-Why not take an even larger one? A double holds 16 digits. On the diagonal of $\symQ$ the entries of a pinned row are larger than all others by the factor below; a solve loses about as many digits as the factor has.`,
+Why not take an even larger one? The factorisation would not mind: one huge number on the diagonal is merely scaling. What suffers is the pin’s own force, $\symw$ times a difference of two positions. A double holds 16 digits, so a position of about 1 m is rounded by $10^{-16}$ m, and the force, with it the gradient and the energy, is known to about $\symw \cdot 10^{-16}$ m and no better. Beyond some $\symw$ nobody can tell any more whether the iteration has arrived.`,
     drift: 'the pin has yielded by',
-    ratio: 'largest over smallest diagonal entry of Q',
-    digits: 'digits lost, about',
+    force: 'force at the pin, w times that',
+    rounding: 'and rounded by about',
   },
   elimination: {
     title: 'Or take them out',

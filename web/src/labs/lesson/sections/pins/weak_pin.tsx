@@ -1,4 +1,4 @@
-import { formatLength, formatNumber } from '../../../../lib/format.ts';
+import { formatLength, formatQuantity } from '../../../../lib/format.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import { MatrixTable } from '../../../../views/matrices/matrix_table.tsx';
 import { denseValues } from '../../figures/dense_values.ts';
@@ -8,10 +8,12 @@ import { type Seen, useInspection } from '../../figures/use_inspection.ts';
 
 const { raw } = String;
 
+type Quantity = 'drift' | 'force' | 'rounding';
+
 interface Props {
   figure: FigureSession;
   caption: string;
-  words: Record<'drift' | 'ratio' | 'digits', string>;
+  words: Record<Quantity, string>;
 }
 
 /** A pin held by a penalty of the reader's choice: C, Q, how far it yields, and what that costs. */
@@ -22,7 +24,7 @@ export function WeakPin({ figure, caption, words }: Props) {
       <div class="pins-room">{seen && <Tables figure={figure} seen={seen} />}</div>
       <dl class="pins-numbers">
         {seen &&
-          numbersOf(seen).map(([name, value]) => (
+          numbersOf(seen, figure.parameters.value.w).map(([name, value]) => (
             <div key={name}>
               <dt>{words[name]}</dt>
               <dd>{value}</dd>
@@ -42,15 +44,13 @@ function Tables({ figure, seen }: { figure: FigureSession; seen: Seen }) {
   );
 }
 
-function numbersOf({ frame, Q }: Seen): ['drift' | 'ratio' | 'digits', string][] {
+function numbersOf({ frame }: Seen, w: number): [Quantity, string][] {
   const pin = frame.pinned[0];
   const drift = Math.hypot(...[0, 1, 2].map((axis) => frame.p[3 * pin + axis] - frame.targets[axis]));
-  const values = denseValues(Q);
-  const diagonal = Array.from({ length: Q.rows }, (_, i) => values[i * Q.rows + i]);
-  const ratio = Math.max(...diagonal) / Math.min(...diagonal);
+  const size = Math.hypot(...frame.targets.subarray(0, 3));
   return [
     ['drift', formatLength(drift)],
-    ['ratio', formatNumber(ratio)],
-    ['digits', formatNumber(Math.round(Math.log10(ratio)))],
+    ['force', formatQuantity(w * drift, 'N')],
+    ['rounding', formatQuantity(w * size * Number.EPSILON, 'N', 1)],
   ];
 }

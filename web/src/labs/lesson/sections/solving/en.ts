@@ -63,8 +63,8 @@ factorisation finds the $\symL$ that you already had. Let the clock say what tha
   },
   costTitle: 'What it costs',
   cost: raw`
-Count multiplications for $n$ vertices. A dense factorisation is three nested loops, about $\tfrac13 n^3$; the inverse takes
-about $2n^3$. A substitution visits each entry of a triangle once: $n^2$ for a column of $\symb$, down and up.
+Count additions and multiplications for $n$ vertices. A dense factorisation is three nested loops, about $\tfrac13 n^3$; the inverse
+takes about $2n^3$. A substitution visits each entry of a triangle once, with one of either: $2n^2$ for a column of $\symb$, down and up.
 
 But most entries of $\symQ$ are zero. If only the others are stored, and the vertices are eliminated in a good order, a net
 in the plane takes about $n^{1.5}$ to factorise, and hardly more than $n$ to solve with.

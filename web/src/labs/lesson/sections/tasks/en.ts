@@ -50,9 +50,9 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
       answer: raw`In $\symb = \symk\symA^{\mathrm T}\symd + \symy$. Without it the matrix asks for springs of stiffness $\symk$ and the right side for springs of stiffness 1; the lengths on which they agree are about $\symk$ times too short.`,
     },
     order: {
-      ask: raw`Everything works for one step, then the net flies up. What could be the wrong way round?`,
-      hint: raw`Which positions become the known ones of the next time step, and in which order?`,
-      answer: raw`$\sympPrev$ must take over $\sympCurr$ **before** $\sympCurr$ takes over $\symp$; and in $2\sympCurr - \sympPrev$ the two are easily swapped. Then the velocity has the wrong sign, and inertia throws everything back where it came from.`,
+      ask: raw`The first steps look right, then the net creeps as if it had no inertia. Your friend’s flies back up instead of falling. What could be the wrong way round in yours, and what in hers?`,
+      hint: raw`What is $\sympCurr - \sympPrev$, divided by $\symdeltaT$?`,
+      answer: raw`$\sympCurr - \sympPrev$ is the velocity. In yours $\sympCurr$ takes over $\symp$ **before** $\sympPrev$ takes over $\sympCurr$: then both are the same, and every step starts at rest. In hers the two are swapped in $2\sympCurr - \sympPrev$: the velocity has the wrong sign, and inertia throws everything back where it came from.`,
     },
     slow: {
       ask: raw`The flag takes five seconds a picture. Your functions are correct. What now?`,

@@ -53,9 +53,9 @@ export const zh: Catalogue<typeof en> = {
       answer: raw`还应出现在 $\symb = \symk\symA^{\mathrm T}\symd + \symy$ 中。漏掉它，矩阵按刚度 $\symk$ 的弹簧计算，右端却按刚度 1 计算，两边折中得到的长度大约只有应有长度的 $1/\symk$。`,
     },
     order: {
-      ask: raw`第一个时间步一切正常，随后网却飞了上去。可能把什么弄反了？`,
-      hint: raw`下一个时间步的已知位置从哪里来？赋值的先后顺序是什么？`,
-      answer: raw`必须**先**把 $\sympCurr$ 赋给 $\sympPrev$，再把 $\symp$ 赋给 $\sympCurr$；$2\sympCurr - \sympPrev$ 中的两项也很容易写反。写反之后速度的符号就错了，惯性会把一切抛回原处。`,
+      ask: raw`最初几步看上去没有问题，随后你的网却像失去惯性一样缓慢爬行；而你同学的网不往下落，反而飞了上去。你和同学分别可能把什么弄反了？`,
+      hint: raw`$\sympCurr - \sympPrev$ 除以 $\symdeltaT$ 是什么？`,
+      answer: raw`$\sympCurr - \sympPrev$ 给出速度。你**先**把 $\symp$ 赋给了 $\sympCurr$，之后才把 $\sympCurr$ 赋给 $\sympPrev$：二者变得相同，每个时间步都从静止开始。同学则把 $2\sympCurr - \sympPrev$ 中的两项写反了：速度的符号相反，惯性把一切抛回原处。`,
     },
     slow: {
       ask: raw`旗帜要五秒才能算出一帧，而你的函数都是对的。怎么办？`,
