@@ -27,6 +27,14 @@ test('without the solver’s file the page names it', async ({ page }) => {
   await expect(page.getByRole('alert')).toContainText(/solver.*\.wasm.*HTTP 404/);
 });
 
+test('without the solver’s file the lesson can be read, and its figures name it', async ({ page }) => {
+  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.goto('./#/lesson/trick');
+  await expect(page.getByText('The trick does not remove the length.')).toBeVisible();
+  await page.locator('.figure').first().scrollIntoViewIfNeeded();
+  await expect(page.getByRole('alert').first()).toContainText(/solver.*\.wasm.*HTTP 404/);
+});
+
 test('with a broken solver the page says that it did not start', async ({ page }) => {
   await page.route('**/*.wasm', (route) => route.fulfill({ body: 'not a module', contentType: 'application/wasm' }));
   await page.goto('./');

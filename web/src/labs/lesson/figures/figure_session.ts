@@ -2,6 +2,7 @@ import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { Clock } from '../../../app/clock.ts';
 import type { Figure } from '../../../app/figure.ts';
 import type { MessageKey } from '../../../app/messages/index.ts';
+import { Obstacle } from '../../../app/obstacle.ts';
 import { findScene } from '../../../app/scene_library.ts';
 import { SceneProblem } from '../../../app/scene_problem.ts';
 import { type Adjustable, type AppState, type Pin, parametersOn, pinsOn, type Selection } from '../../../app/state.ts';
@@ -246,7 +247,7 @@ export class FigureSession implements Figure {
 
   private explain(reason: unknown): void {
     if (reason instanceof SolverCrash) this.refuse({ key: 'page.errors.crash', params: { reason: reason.message } });
-    else if (reason instanceof SceneProblem) this.refuse(reason);
+    else if (reason instanceof SceneProblem || reason instanceof Obstacle) this.refuse(reason);
     else throw reason;
   }
 

@@ -1,4 +1,4 @@
-import { newSolver } from '../../../app/start_solver.ts';
+import { newSolver, startSolver } from '../../../app/start_solver.ts';
 import type { SolverClient } from '../../../solver/client.ts';
 import type { Checkpoint, Inspection, Opened, Outcome, Problem, Request } from '../../../solver/protocol.ts';
 
@@ -19,12 +19,12 @@ export class LessonSolver {
     this.client = client;
   }
 
-  /** Throws SolverCrash; the next request then finds a new worker. */
+  /** Throws Obstacle, or SolverCrash; the next request then finds a new worker. */
   run({ problem, request, from }: Moment): Promise<Outcome<Opened>> {
     return this.inTurn(() => this.client.open(problem, request, from));
   }
 
-  /** What `run` would leave open, looked at. Null where it is refused. Throws SolverCrash. */
+  /** What `run` would leave open, looked at. Null where it is refused. Throws as `run` does. */
   inspect({ problem, request, from }: Moment, points: readonly Float64Array[]): Promise<Inspection | null> {
     return this.inTurn(async () => {
       const outcome = await this.client.open(problem, request, from);
@@ -33,7 +33,7 @@ export class LessonSolver {
   }
 
   private inTurn<T>(task: () => Promise<T>): Promise<T> {
-    const turn = this.last.then(task);
+    const turn = this.last.then(() => startSolver(this.client)).then(task);
     this.last = turn.catch(() => {}); // whoever asked hears of it
     return turn;
   }

@@ -9,9 +9,12 @@ export function useTrajectories(settings: readonly FigureSettings[], steps: numb
   const [trajectories, setTrajectories] = useState<Frame[][] | null>(null);
   useEffect(() => {
     let wanted = true;
-    void Promise.all(settings.map((one) => trajectory(lessonSolver, one, steps))).then((all) => {
-      if (wanted) setTrajectories(all);
-    });
+    Promise.all(settings.map((one) => trajectory(lessonSolver, one, steps))).then(
+      (all) => {
+        if (wanted) setTrajectories(all);
+      },
+      () => {}, // the figures of the same page say what is wrong
+    );
     return () => {
       wanted = false;
     };
