@@ -97,7 +97,7 @@ Status System::check(Method method, const TimeStep& step) const {
   if (method != Method::newton) return {};
   // H has a 3 by 3 block for every entry of Q, and so has, nearly, its factor. Before H is put
   // together its entries are a list: 36 to a spring, none of them summed.
-  const double bytes = factor_bytes() + 9 * 1.5 * factor_bytes() +
+  const double bytes = 10 * factor_bytes() +
                        2.0 * 36 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
   if (bytes <= largest_newton_factor) return {};
   return {StatusCode::too_large, "newton", -1, bytes, largest_newton_factor};
