@@ -17,8 +17,15 @@ const request = (k: number, kind: 'stay' | 'next_step' = 'stay') =>
 /** Whether new workers die as soon as a problem is opened in them. */
 let dying = false;
 
-/** Each "worker" answers with the number of the step it stands at, dies of k = 13 as a trapped module does, and works for ever on k = 99. */
+/** Whether the solver's file can be had. */
+let online = true;
+
+/**
+ * Each "worker" answers with the number of the step it stands at, refuses k = 0 once the problem is open in it, dies of k = 13 as a trapped module
+ * does, and works for ever on k = 99.
+ */
 class FakeWorker extends EventTarget {
+  ended = false;
   readonly opened: { from: Checkpoint | null; request: Request }[] = [];
   private step = 0;
   private readonly port: MessagePort;
@@ -36,7 +43,7 @@ class FakeWorker extends EventTarget {
           if (dying) throw new WebAssembly.RuntimeError('out of memory');
           this.opened.push({ from, request: asked });
           this.step = from?.step ?? 1;
-          return this.reply();
+          return asked.parameters.k === 0 ? { ok: false, status: { code: 'not_positive' } } : this.reply();
         },
         run: async (asked: Request) => {
           if (asked.parameters.k === 13) throw new WebAssembly.RuntimeError('unreachable');
@@ -63,6 +70,7 @@ class FakeWorker extends EventTarget {
   }
 
   terminate(): void {
+    this.ended = true;
     this.port.close();
   }
 
@@ -89,7 +97,10 @@ const newClient = () =>
       workers.push(worker);
       return worker as unknown as Worker;
     },
-    wasmBinary: async () => new ArrayBuffer(0),
+    wasmBinary: async () => {
+      if (!online) throw new Error('HTTP 404');
+      return new ArrayBuffer(0);
+    },
     onProgress: (progress) => told.push(progress.fraction),
   });
 
@@ -131,6 +142,23 @@ describe('the solver’s client', () => {
     await expect(client.run(request(13))).rejects.toThrow(SolverCrash);
     dying = false;
     expect(await client.run(request(2, 'next_step'))).toMatchObject({ ok: true, value: { checkpoint: { step: 3 } } });
+  });
+
+  it('goes on with the problem before when another is refused halfway', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    await client.run(request(2, 'next_step'));
+    expect(await client.open(problem, request(0))).toMatchObject({ ok: false });
+    expect(await client.run(request(2, 'next_step'))).toMatchObject({ ok: true, value: { checkpoint: { step: 3 } } });
+  });
+
+  it('leaves no worker behind that could not be started, and starts another when asked again', async () => {
+    const client = newClient();
+    online = false;
+    await expect(client.start()).rejects.toThrow('HTTP 404');
+    online = true;
+    expect(workers.map(({ ended }) => ended)).toEqual([true]);
+    expect(await client.open(problem, request(1))).toMatchObject({ ok: true });
   });
 
   it('passes on what went wrong', async () => {

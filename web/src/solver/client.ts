@@ -62,6 +62,7 @@ export class SolverClient {
   async open(problem: Problem, request: Request, from: Checkpoint | null = null): Promise<Outcome<Opened>> {
     const outcome = await this.guarded((service) => service.open(problem, request, from));
     if (outcome.ok) this.lastGood = { problem, request, checkpoint: outcome.value.checkpoint };
+    else this.stop(); // it may have been refused halfway: the next call restores what was open before
     return outcome;
   }
 
@@ -93,11 +94,7 @@ export class SolverClient {
       return await this.untilFailure(call(await this.ready()));
     } catch (reason) {
       this.stop();
-      try {
-        await this.ready();
-      } catch {
-        this.stop(); // the next call tries again
-      }
+      await this.ready().catch(() => {}); // the next call tries again
       if (reason instanceof SolverCancelled) throw reason;
       throw new SolverCrash(reason instanceof Error ? reason.message : String(reason));
     }
@@ -125,9 +122,19 @@ export class SolverClient {
     );
   }
 
-  /** The service, in a new worker if there is none, with the last good state open in it. */
+  /** The service, in a new worker if there is none. */
   private async ready(): Promise<SolverService> {
-    if (this.service) return this.service;
+    try {
+      this.service ??= await this.newService();
+      return this.service;
+    } catch (reason) {
+      this.stop();
+      throw reason;
+    }
+  }
+
+  /** In a new worker, with the last good state open in it. */
+  private async newService(): Promise<SolverService> {
     this.worker = this.startWorker();
     // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
     const service = wrap(this.worker) as unknown as SolverService;
@@ -138,7 +145,6 @@ export class SolverClient {
       const outcome = await this.untilFailure(service.open(problem, restored, checkpoint));
       if (!outcome.ok) throw new Error(`the last good state was refused: ${outcome.status.code}`);
     }
-    this.service = service;
     return service;
   }
 
