@@ -1,9 +1,11 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Actions } from '../../../web/src/app/actions.ts';
 import { notices } from '../../../web/src/app/notices.ts';
+import { route } from '../../../web/src/app/route.ts';
 import type { Session } from '../../../web/src/app/session.ts';
-import { defaultState, state } from '../../../web/src/app/state.ts';
+import { defaultState, frame, state } from '../../../web/src/app/state.ts';
 import { reading } from '../../../web/src/app/work.ts';
+import type { Frame } from '../../../web/src/solver/frame.ts';
 
 const actions = new Actions({} as Session); // which none of these asks
 
@@ -60,6 +62,22 @@ describe('while the files of a scene are being read', () => {
     await opening;
     expect([reading.value, Reader.running, state.value]).toEqual([null, 0, before]);
     expect(notices.value).toMatchObject([{ key: 'page.notice.cancelled' }]);
+  });
+
+  it('a reader who goes on to the lesson stays there', async () => {
+    vi.stubGlobal('document', { documentElement: {} }); // whose language is set
+    frame.value = {} as Frame; // the lab shows something
+    const toTheLab = actions.follow({
+      route: { page: 'springs' },
+      state: { ...state.value, scene: 'flag' },
+      problems: [],
+    });
+    expect(reading.value).not.toBeNull();
+    const lesson = { page: 'lesson', section: 'solving' } as const;
+    await actions.follow({ route: lesson, state: state.value, problems: [] });
+    actions.cancel();
+    await toTheLab;
+    expect(route.value).toEqual(lesson);
   });
 
   it('another scene takes the place of the one that was asked for', async () => {

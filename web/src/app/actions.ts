@@ -179,6 +179,7 @@ export class Actions {
 
   /** Goes where a link leads. What the lab already shows goes on as it stood. */
   async follow({ route: to, state: wanted }: Link): Promise<void> {
+    route.value = to; // before a scene is read: its end must not bring back a reader who has gone on
     if (to.page === 'lesson') {
       this.pause();
       this.setLanguage(wanted.language);
@@ -187,7 +188,6 @@ export class Actions {
       language.value = wanted.language;
       state.value = wanted; // start_lab.ts opens it
     } else if (encodeLink(to, wanted) !== encodeLink(to, state.value)) await this.restore(wanted);
-    route.value = to;
   }
 
   /** Makes `wanted` the state, as from a link. False when its scene cannot be opened; everything then stays as it was. */
@@ -208,12 +208,13 @@ export class Actions {
   ): Promise<void> {
     dismissErrors();
     this.pause();
+    const asked = route.value;
     const opened = await this.open(
       (signal) => findScene(name, signal),
       () => ({ scene: name, ...settings, view: { ...state.value.view, camera: null } }),
       from,
     );
-    if (opened) route.value = { page: 'springs' };
+    if (opened && route.value === asked) route.value = { page: 'springs' };
   }
 
   /** Gives up what the reader waits for: a scene's files, or else the solver's request. */
