@@ -35,7 +35,7 @@ export function ChartNumbers({ series, x, y }: Props) {
       <tbody>
         {places.map((at) => (
           <tr key={at}>
-            <th scope="row">{formatNumber(at)}</th>
+            <th scope="row">{Number.isInteger(at) ? at : formatNumber(at)}</th>
             {columns.map(({ name, values }) => {
               const value = values.get(at);
               return <td key={name}>{value === undefined ? '' : formatNumber(value)}</td>;

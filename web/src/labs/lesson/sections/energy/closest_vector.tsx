@@ -12,7 +12,7 @@ interface Props {
 
 const oneSpring: FigureSettings = {
   scene: 'single-spring-horizontal',
-  selection: { spring: 0, vertex: 1 },
+  selection: { spring: null, vertex: 1 }, // the spring's glow would hide the vector
   opening: [{ kind: 'play', steps: 9 }],
 };
 
