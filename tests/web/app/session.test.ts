@@ -128,6 +128,15 @@ describe('the session', () => {
     expect(client.unanswered).toBe(1);
   });
 
+  it('resets instead of the moves that wait', async () => {
+    for (let move = 0; move < 9; move++) session.order({ kind: 'next_step' });
+    session.order({ kind: 'reset' });
+    await client.settle('ok');
+    await client.settle('ok');
+    expect(client.requests.map(({ command }) => command.kind)).toEqual(['next_step', 'reset']);
+    expect(client.unanswered).toBe(0);
+  });
+
   it('puts the accepted value back when the solver refuses one, and says why', async () => {
     setK(20);
     await client.settle('ok');

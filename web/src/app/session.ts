@@ -147,6 +147,7 @@ export class Session {
   /** Asks for a move of the cursor. */
   order(command: Command): void {
     this.halted = false;
+    if (command.kind === 'reset') this.queue.length = 0; // from wherever those would have led
     if (this.queue.length < longestQueue) this.queue.push(command);
     void this.pump();
   }
