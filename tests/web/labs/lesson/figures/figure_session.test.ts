@@ -151,11 +151,40 @@ describe('a figure', () => {
     expect(figure.pins.value).toContainEqual({ vertex: 2, target: [0.5, 0.1, 0] });
   });
 
-  it('says why the solver refuses, and goes on when the reason is gone', async () => {
+  it('resets from the midst of moves that wait', async () => {
     await wake();
+    for (let move = 0; move < 9; move++) figure.order({ kind: 'next_step' });
+    figure.reset();
+    await settle();
+    expect(place()).toBe('4.0');
+    for (let move = 0; move < 9; move++) figure.order({ kind: 'next_step' });
+    figure.order({ kind: 'reset' });
+    await settle();
+    expect(place()).toBe('1.0');
+  });
+
+  it('is moving until the moment that was asked for is there', async () => {
+    await wake();
+    expect(figure.moving).toBe(false);
+    figure.order({ kind: 'next_step' });
+    expect(figure.moving).toBe(true);
+    await settle();
+    expect(figure.moving).toBe(false);
+  });
+
+  it('says why the solver refuses, with what was accepted before, and goes on when the reason is gone', async () => {
+    await wake();
+    figure.setParameter('k', 300);
+    await settle();
+    const { p } = figure.frame.value as Frame;
     figure.setParameter('k', 1e12);
     await settle();
-    expect(figure.refusal.value?.key).toBe('page.errors.too_stiff');
+    expect(figure.refusal.value).toMatchObject({
+      key: 'page.errors.too_stiff',
+      params: { limit: '1.00 × 10⁹' },
+    });
+    expect(figure.parameters.value.k).toBe(300);
+    expect(figure.frame.value?.p).toEqual(p);
     figure.setParameter('k', 100);
     await settle();
     expect(figure.refusal.value).toBeNull();

@@ -2,14 +2,13 @@ import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { Clock } from '../../../app/clock.ts';
 import type { Figure } from '../../../app/figure.ts';
 import type { MessageKey } from '../../../app/messages/index.ts';
-import { Obstacle } from '../../../app/obstacle.ts';
+import { refusalParams } from '../../../app/refusal_params.ts';
 import { findScene } from '../../../app/scene_library.ts';
-import { SceneProblem } from '../../../app/scene_problem.ts';
 import { type Adjustable, type AppState, type Pin, parametersOn, pinsOn, type Selection } from '../../../app/state.ts';
 import { noScene, type Scene } from '../../../scene/scene.ts';
-import { SolverCrash } from '../../../solver/client.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import type { Checkpoint, Command, Inspection, Opened, Outcome, Request } from '../../../solver/protocol.ts';
+import { type Explanation, explanationOf } from './explanation.ts';
 import { FigureTimeline, type Move } from './figure_timeline.ts';
 import type { LessonSolver, Moment } from './lesson_solver.ts';
 import type { PlanarScene } from './planar_scenes.ts';
@@ -22,6 +21,12 @@ export interface FigureSettings {
   selection?: Selection;
   /** What has happened when the reader comes; to this the figure resets. */
   opening?: readonly Command[];
+}
+
+/** What the reader can ask for and the solver refuse. */
+interface Choice {
+  chosen: Partial<Adjustable>;
+  pins: readonly Pin[] | null;
 }
 
 /** Moves that may wait for the solver; more are a held key. */
@@ -42,7 +47,7 @@ export class FigureSession implements Figure {
   /** The vertex that the reader holds, pinned or not, and where: time runs as long as it is held. */
   readonly held = signal<Pin | null>(null);
   /** Why the last request was refused. */
-  readonly refusal = signal<{ key: MessageKey; params: Record<string, string | number> } | null>(null);
+  readonly refusal = signal<Explanation | null>(null);
   /** Whether the figure is on the screen: elsewhere it sleeps. */
   readonly awake = signal(false);
 
@@ -55,6 +60,9 @@ export class FigureSession implements Figure {
   private readonly queue: Move[] = [];
   private readonly timeline = new FigureTimeline();
   private beginning: Checkpoint | null = null;
+  /** What the solver took last, and what it was last asked for. */
+  private accepted: Choice;
+  private tried: Choice;
   private busy = false;
   private stale = false;
 
@@ -62,6 +70,7 @@ export class FigureSession implements Figure {
     this.solver = solver;
     this.settings = settings;
     this.setBack();
+    this.accepted = this.tried = this.choice();
   }
 
   /** Begins to follow its signals and the display's refresh. Returns how to stop. */
@@ -96,6 +105,7 @@ export class FigureSession implements Figure {
   /** Moves the cursor, and stops the clock unless it is the clock that asks. */
   order(move: Move): void {
     if (move.kind !== 'play') this.playing.value = false;
+    if (move.kind === 'reset') this.queue.length = 0; // from wherever those would have led
     if (this.queue.length < longestQueue) this.queue.push(move);
     void this.pump();
   }
@@ -138,7 +148,7 @@ export class FigureSession implements Figure {
     try {
       return await this.solver.inspect(this.moment(this.scene.value, here, { kind: 'stay' }), points);
     } catch (reason) {
-      this.explain(reason);
+      this.refuse(explanationOf(reason));
       return null;
     }
   }
@@ -162,12 +172,18 @@ export class FigureSession implements Figure {
     return this.timeline.here;
   }
 
+  /** Whether a move is on its way: another moment will be shown. */
+  get moving(): boolean {
+    return this.busy;
+  }
+
   /** The moments that can be gone back to, the oldest first. */
   earlier(): readonly Checkpoint[] {
     return this.timeline.past;
   }
 
   private setBack(): void {
+    this.queue.length = 0;
     batch(() => {
       this.playing.value = false;
       this.chosen.value = this.settings.parameters ?? {};
@@ -186,7 +202,8 @@ export class FigureSession implements Figure {
       for (let move = this.next(); move && this.frame.value; move = this.next())
         await this.make(move, this.frame.value);
     } catch (reason) {
-      this.explain(reason);
+      this.refuse(explanationOf(reason));
+      this.fallBack();
     } finally {
       this.busy = false;
     }
@@ -198,7 +215,7 @@ export class FigureSession implements Figure {
 
   private async open(): Promise<void> {
     const scene = await findScene(this.settings.scene);
-    this.stale = false;
+    this.startRequest();
     let outcome = await this.solver.run(this.moment(scene, null, { kind: 'stay' }));
     for (const command of this.settings.opening ?? []) {
       if (outcome.ok) outcome = await this.solver.run(this.moment(scene, outcome.value.checkpoint, command));
@@ -210,10 +227,16 @@ export class FigureSession implements Figure {
   private async make(move: Move, { last_half_step }: Frame): Promise<void> {
     const scene = this.scene.value;
     const { from, command } = this.timeline.begin(move);
-    this.stale = false;
+    this.startRequest();
     const outcome = await this.solver.run(this.moment(scene, from, command));
     if (outcome.ok && command.kind === 'play') this.clock.spent(command.steps, outcome.value.frame.milliseconds);
     this.take(scene, outcome, last_half_step);
+  }
+
+  /** What is chosen from now on is asked for next. */
+  private startRequest(): void {
+    this.stale = false;
+    this.tried = this.choice();
   }
 
   private moment(scene: Scene, from: Checkpoint | null, command: Command): Moment {
@@ -231,10 +254,12 @@ export class FigureSession implements Figure {
   /** Shows what came of a request. `last_half_step` is that of the time step it started from. */
   private take(scene: Scene, outcome: Outcome<Opened>, last_half_step = 0): void {
     if (!outcome.ok) {
-      const { code, field, index, value } = outcome.status;
-      this.refuse({ key: `page.errors.${code}` as MessageKey, params: { field, index, value } });
+      const { status } = outcome;
+      this.refuse({ key: `page.errors.${status.code}` as MessageKey, params: refusalParams(status) });
+      this.fallBack();
       return;
     }
+    this.accepted = this.tried;
     const { frame, checkpoint, r } = outcome.value;
     this.timeline.reach(checkpoint, last_half_step);
     batch(() => {
@@ -245,16 +270,26 @@ export class FigureSession implements Figure {
     });
   }
 
-  private explain(reason: unknown): void {
-    if (reason instanceof SolverCrash) this.refuse({ key: 'page.errors.crash', params: { reason: reason.message } });
-    else if (reason instanceof SceneProblem || reason instanceof Obstacle) this.refuse(reason);
-    else throw reason;
-  }
-
-  private refuse(why: { key: MessageKey; params: Record<string, string | number> }): void {
+  private refuse(why: Explanation): void {
     this.playing.value = false;
     this.queue.length = 0;
     this.refusal.value = why;
+  }
+
+  /** Puts the last accepted parameters and pins back, unless the reader has moved on: what was chosen since is asked for next. */
+  private fallBack(): void {
+    const { chosen, pins } = this.choice();
+    if (chosen !== this.tried.chosen || pins !== this.tried.pins) return;
+    const { stale } = this;
+    batch(() => {
+      this.chosen.value = this.accepted.chosen;
+      this.pins.value = this.accepted.pins;
+    });
+    this.stale = stale; // the picture is that of the accepted ones already
+  }
+
+  private choice(): Choice {
+    return { chosen: this.chosen.value, pins: this.pins.value };
   }
 
   private pinsInForce(scene: Scene): Pin[] {

@@ -3,17 +3,18 @@ import { findScene, type librarySceneNames } from '../../../app/scene_library.ts
 import { parametersOn, pinsOn } from '../../../app/state.ts';
 import type { Scene } from '../../../scene/scene.ts';
 import type { Inspection } from '../../../solver/protocol.ts';
+import { notifyOf } from './explanation.ts';
 import { lessonSolver } from './lesson_solver.ts';
 
 export interface InspectedScene extends Inspection {
   scene: Scene;
 }
 
-/** A scene of the library at rest, with its own parameters, and its matrices; null until they are known, or when they cannot be. */
+/** A scene of the library at rest, with its own parameters, and its matrices; null until they are known. A notice says why they cannot be. */
 export function useSceneInspection(name: (typeof librarySceneNames)[number]): InspectedScene | null {
   const [inspected, setInspected] = useState<InspectedScene | null>(null);
   useEffect(() => {
-    inspectScene(name).then(setInspected, () => {}); // the numbers stay away; whatever else is on the page says why
+    inspectScene(name).then(setInspected).catch(notifyOf);
   }, [name]);
   return inspected;
 }
