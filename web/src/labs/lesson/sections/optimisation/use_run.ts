@@ -9,10 +9,11 @@ export function useRun(running: boolean, explicit: FigureSession, implicit: Figu
   useEffect(() => {
     if (!running) return;
     let timer = 0;
+    const settled = () => (explicit.moving ? null : explicit.checkpoint());
     const step = async () => {
-      const here = explicit.checkpoint();
-      const seen = await explicit.inspect();
-      if (!here || !seen || here !== explicit.checkpoint()) return; // moved meanwhile: its new picture set the timer
+      const here = settled();
+      const seen = here && (await explicit.inspect());
+      if (!seen || here !== settled()) return; // moving, or moved meanwhile: its new picture sets the timer
       const to = { step: here.step + 1, half_step: 0, p_curr: seen.explicitStep, p_prev: here.p_curr };
       explicit.order({ kind: 'jump', to });
       implicit.order({ kind: 'next_step' });
