@@ -33,7 +33,7 @@ test('substitution solves the moment shown, and a pull needs no new factor', asy
   const pin = page.getByRole('button', { name: /Pin at vertex 0/ });
   await pin.focus();
   await page.keyboard.press('ArrowUp');
-  await expect(page.getByText('factorisations of Q 1, solves 2.')).toBeVisible();
+  await expect(page.getByText(/factorisations 1 .*, solves 2 /)).toBeVisible();
 });
 
 test('the clock fits an exponent to every way of solving and stops when told to', async ({ page }) => {

@@ -30,7 +30,8 @@ and $\symp$. Then pull at a vertex, and move the slider: what changes $\symL$?`,
     forwards: 'Down',
     backwards: 'Up',
     residual: 'Solved: no row of Q p differs from b by more than {{residual}} N.',
-    counted: 'Since you opened this page: factorisations of Q {{factorised}}, solves {{solved}}.',
+    counted:
+      'For these two tables, since you opened this page: factorisations {{factorised}} (one for every new Q), solves {{solved}} (one for every new Q or b).',
   },
   precompute: raw`
 Pulling changes $\symb$, and $x$ and $\symp$ with it. $\symL$ stays. It changes only with $\symQ$: when $\symk$,

@@ -1,10 +1,10 @@
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber } from '../../../../lib/format.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
 import { Stepper } from '../../figures/stepper.tsx';
-import { type Seen, useInspection } from '../../figures/use_inspection.ts';
+import { useInspection } from '../../figures/use_inspection.ts';
 import { inLanguage } from '../../text.ts';
 import { cholesky } from './cholesky.ts';
 import { en } from './en.ts';
@@ -22,8 +22,10 @@ export function SubstitutionFigure({ figure }: { figure: FigureSession }) {
   const words = inLanguage({ en, zh }).substitution;
   const [step, setStep] = useState(0);
   const seen = useInspection(figure);
-  const counts = useCounts(seen);
-  const factor = seen && cholesky(smallMatrix(seen.Q));
+  const numbersOfQ = seen?.Q.value.join();
+  const numbersOfB = seen?.equations.map((equation) => equation.b).join();
+  const counts = useCounts(numbersOfQ, numbersOfB);
+  const factor = useMemo(() => seen && cholesky(smallMatrix(seen.Q)), [numbersOfQ]);
   if (!seen || !factor || !('L' in factor)) return <div class="substitution" />;
 
   const { L } = factor;
@@ -63,24 +65,17 @@ export function SubstitutionFigure({ figure }: { figure: FigureSession }) {
   );
 }
 
-/** How often this page has needed a new L, and how often a new p. */
-function useCounts(seen: Seen | null) {
-  const [counts, setCounts] = useState({ Q: '', b: '', factorised: 0, solved: 0 });
+/** How often a new L was needed, and how often a new p, for a system that is known by all its numbers. */
+function useCounts(Q: string | undefined, b: string | undefined) {
+  const [factorised, setFactorised] = useState(0);
+  const [solved, setSolved] = useState(0);
   useEffect(() => {
-    if (!seen) return;
-    const Q = seen.Q.value.join();
-    const b = seen.equations.map((equation) => equation.b).join();
-    setCounts((before) => {
-      const isNew = { Q: Q !== before.Q, b: b !== before.b };
-      return {
-        Q,
-        b,
-        factorised: before.factorised + (isNew.Q ? 1 : 0),
-        solved: before.solved + (isNew.Q || isNew.b ? 1 : 0),
-      };
-    });
-  }, [seen]);
-  return counts;
+    if (Q) setFactorised((count) => count + 1);
+  }, [Q]);
+  useEffect(() => {
+    if (Q) setSolved((count) => count + 1);
+  }, [Q, b]);
+  return { factorised, solved };
 }
 
 /** max |Q p − b|, N, once p is known. */
