@@ -1,5 +1,5 @@
 export const en = {
-  title: 'Fast mass-spring systems, from f = ma to six functions',
+  title: 'Fast mass-spring systems, from f = ma to seven functions',
   contents: 'Contents',
   section: 'Section {{number}}',
   neighbours: 'Neighbouring sections',

@@ -2,7 +2,7 @@ import type { Catalogue } from '../../app/messages/index.ts';
 import type { en } from './en.ts';
 
 export const zh: Catalogue<typeof en> = {
-  title: '快速质点弹簧系统：从 f = ma 到六个函数',
+  title: '快速质点弹簧系统：从 f = ma 到七个函数',
   contents: '目录',
   section: '第 {{number}} 节',
   neighbours: '相邻的节',
@@ -26,7 +26,7 @@ export const zh: Catalogue<typeof en> = {
     right: '正确',
     check: '它是梯度吗？质点 {{i}} 的 ∂E/∂p，由 E 的有限差分求得，h = {{h}}，单位 {{unit}}',
     gradient: '求解器中的梯度',
-    ofPrinted: '原文 E 的差分',
+    ofPrinted: '原文中 E 的差分',
     ofRight: '正确 E 的差分',
     differs: '两者不同：原文的 E 有另一个梯度。',
     agrees: '此刻两者恰好相同。让时间前进几步，或换一个在运动的质点。',

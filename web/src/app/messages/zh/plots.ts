@@ -38,6 +38,7 @@ export const plots: Catalogue<typeof en> = {
     inspect: '读数位置',
     label: '时间步 {{step}} 中 {{methods}} 种方法的 E − E*。全部数值见下方表格；也可在前面的滑块上用方向键逐点读数。',
     afterIterations: '迭代 {{place}} 次之后',
+    stoppedAfter: '停止于',
     afterTime: '{{place}} 之后',
     gapShort: 'E − E*',
     rounding: '≤ 舍入误差',

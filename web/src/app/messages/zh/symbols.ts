@@ -38,7 +38,7 @@ export const symbols: Catalogue<typeof en> = {
     pinEnergy: '固定点的能量',
     gradient: '目标函数的梯度',
     surrogate: '固定 d 时的目标函数',
-    kappa: '刚性数',
+    kappa: '刚度数',
   },
   meaning: {
     vertexCount: '场景中质点的个数。',

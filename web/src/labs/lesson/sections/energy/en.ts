@@ -12,7 +12,7 @@ $$\sympotential = \sum_{ij} \tfrac12\,\symk\,\bigl(\lVert \symp_i - \symp_j \rVe
   force: {
     title: 'From energy to force',
     text: raw`
-The springs pull where the energy falls fastest: the force is **minus** the gradient. Deriving the length $\lVert \symp_i - \symp_j \rVert$ by $\symp_i$ gives the unit vector from $j$ to $i$; so at the end $i$
+The springs pull where the energy falls fastest: the force is **minus** the gradient. Differentiating the length $\lVert \symp_i - \symp_j \rVert$ with respect to $\symp_i$ gives the unit vector from $j$ to $i$; so at the end $i$
 
 $$-\frac{\partial \sympotential}{\partial \symp_i} = -\,\symk\,\underbrace{\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)}_{\text{too long by}}\;\underbrace{\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}}_{\text{direction}}$$
 

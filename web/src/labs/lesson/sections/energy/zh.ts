@@ -9,7 +9,7 @@ export const zh: Catalogue<typeof en> = {
 
 $$\tfrac12\,\symk\,\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2$$
 
-起作用的只是长度与静止长度之差：缩短 1 cm 和伸长 1 cm，储存的能量一样多。把所有弹簧的能量加起来，就得到整张网的势能：
+起作用的只是长度与原长之差：缩短 1 cm 和伸长 1 cm，储存的能量一样多。把所有弹簧的能量加起来，就得到整张网的势能：
 
 $$\sympotential = \sum_{ij} \tfrac12\,\symk\,\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2$$`,
   force: {
@@ -29,15 +29,15 @@ $$-\frac{\partial \sympotential}{\partial \symp_i} = -\,\symk\,\underbrace{\bigl
 $$\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 = \min_{\lVert \symd \rVert = \symr_{ij}} \lVert (\symp_i - \symp_j) - \symd \rVert^2$$
 
 带根号的长度，就这样变成了两个向量之间的距离。[第 5 节](trick)将用到它。`,
-    caption: '拖动顶点 1。圆上是所有长度等于静止长度的向量，粗线是其中最近的一个，虚线间隙就是伸长量。',
+    caption: '拖动质点 1。圆上是所有长度等于原长的向量，粗线是其中最近的一个，虚线间隙就是伸长量。',
     length: '长度',
-    rest: '静止长度',
+    rest: '原长',
     gap: '间隙',
     fromGap: '½k · 间隙²',
     fromSolver: '求解器给出的能量',
   },
   collapsed: raw`
-如果两端重合呢？这时圆上的每个向量都同样近，弹簧没有可以推开的方向。求解器取定一个固定方向，因此结果总是确定的，绝不会出现“非数”（NaN）。`,
+如果两端重合呢？这时圆上的每个向量都同样近，弹簧没有确定的方向。求解器取定一个固定方向，因此结果总是确定的，绝不会出现“非数”（NaN）。`,
   quadratic: {
     ask: raw`公式里是平方，那么能量是不是 $\symp$ 的二次函数，也就是抛物线？`,
     hint: raw`让弹簧的一端沿直线滑向另一端，穿过去，再从另一侧滑出。能量在几处为零？`,
@@ -53,9 +53,9 @@ $$\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 = \min_{\lVert \sym
   sign: {
     ask: raw`你的网一碰就飞散，而你确信公式没有错。首先应该检查哪个符号？`,
     hint: raw`梯度指向能量增大的方向。`,
-    answer: raw`如果把力写成**正**梯度，过长的弹簧会被推得更长，伸长愈演愈烈。这种笔误不必推导就能查出来：把一个顶点移动 $\pm 10^{-5}$ m，看能量变化多少，再除以位移。拖动时，下表对顶点 1 做的正是这件事。`,
-    caption: '拖动顶点 1，比较各行数值。',
-    table: '顶点 1 处（N）',
+    answer: raw`如果把力写成**正**梯度，过长的弹簧会被推得更长，伸长愈演愈烈。这种笔误不必推导就能查出来：把一个质点移动 $\pm 10^{-5}$ m，看能量变化多少，再除以位移。拖动时，下表对质点 1 做的正是这件事。`,
+    caption: '拖动质点 1，比较各行数值。',
+    table: '质点 1 处（N）',
     formula: '由公式得到的力',
     differences: '能量差商取负',
     wrong: '能量差商取正',

@@ -33,7 +33,7 @@ to 0, and there Newton’s law holds.`,
 either side of its pin?`,
     answer: raw`Because of the length $\lVert\symp_i - \symp_j\rVert$, a square root. A linear force belongs to an energy that is a parabola along
 every line, with one lowest point. Pull the mass along a level line through the pin: the spring is content at one rest length to the left **and**
-at one to the right, and between them there is an edge.`,
+at one to the right, and between them there is a peak.`,
     spring: 'energy of the spring',
     energy: raw`$\sympotential$, J`,
     offset: 'Distance from the pin, to the right, m',
@@ -43,7 +43,7 @@ at one to the right, and between them there is an edge.`,
   explicit: {
     title: 'Why not take the forces that are known?',
     ask: raw`With the forces at $\sympCurr$ in place of those at $\symp$ nothing would have to be solved. What would happen?`,
-    hint: raw`A stiff spring, pulled a little too long, pushes back hard. If this push is held for a whole step, how far does the mass go?`,
+    hint: raw`A stiff spring, pulled a little too long, pulls back hard. If this pull is held for a whole step, how far does the mass go?`,
     answer: raw`Each step would be a single formula, and an **explicit** one:
 
 $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\sympCurr)$$

@@ -10,7 +10,7 @@ export const zh: Catalogue<typeof en> = {
     gradient: raw`三项都是某个函数对 $\symp_i$ 的导数。把这些函数之和记作 $\symobjective$，方程即为 $\symgradient = 0$，这正是谷底应满足的条件。
 因此不必直接解方程，**寻找能量曲面的最低点**即可。`,
     title: '一个和式，三种愿望',
-    wishes: raw`- 弹簧项 $\sympotential$：希望每根弹簧恢复静止长度。
+    wishes: raw`- 弹簧项 $\sympotential$：希望每根弹簧恢复原长。
 - 惯性项 $\syminertia$：希望每个质点沿直线继续走到 $2\sympCurr_i - \sympPrev_i$；质量越大、步长越小，这一愿望就越强。
 - 外力项 $\symexternal$：希望顺着外力走得越远越好；对重力而言就是向下。
 
@@ -22,7 +22,7 @@ export const zh: Catalogue<typeof en> = {
     values: '在当前的 p 处',
     caption: raw`一根弹簧，一个可动的质点：此时 $\symobjective$ 可以画成平面上的一幅地图。细线是等值线，颜色越深，能量越低。十字：仅有惯性与重力时质点
 将到达的位置。圆点：本时间步的各次迭代；圆环是最后一次。按 ½▶ 逐步走向谷底。`,
-    seen: raw`请逐项查看：弹簧项是环绕固定点、半径为静止长度的一圈谷地，惯性项是圆形的碗，外力项是斜坡。再改变 $\symdeltaT$：步长小时，惯性的碗极陡，
+    seen: raw`请逐项查看：弹簧项是环绕固定点、半径为原长的一圈谷地，惯性项是圆形的碗，外力项是斜坡。再改变 $\symdeltaT$：步长小时，惯性的碗极陡，
 其余各项几乎不起作用；步长大时，环形谷地占上风。在最后一次迭代处 $\lVert\symgradient\rVert$ 接近 0，牛顿定律在此处成立。`,
   },
   nonlinear: {
@@ -30,11 +30,11 @@ export const zh: Catalogue<typeof en> = {
     ask: raw`加速度是 $\symp$ 的线性函数，整个方程为什么不是？`,
     hint: raw`如果导数都是线性的，$\symobjective$ 沿一条直线会是什么形状？在固定点的两侧，弹簧又是怎样的？`,
     answer: raw`原因在于长度 $\lVert\symp_i - \symp_j\rVert$ 含有平方根。线性的力所对应的能量，沿任何直线都是抛物线，只有一个最低点。让质点沿过固定点的
-水平线移动：弹簧在左侧距离等于静止长度处能量为零，在右侧**同样**如此，两者之间还有一个尖点。`,
+水平线移动：弹簧在左侧距离等于原长处能量为零，在右侧**同样**如此，两者之间还有一个尖峰。`,
     spring: '弹簧的能量',
     energy: raw`$\sympotential$，J`,
     offset: '到固定点的距离（向右为正），m',
-    summary: '弹簧能量沿过固定点的直线的变化：两侧距离等于静止长度处为零，中间是一个尖峰。',
+    summary: '弹簧能量沿过固定点的直线的变化：两侧距离等于原长处为零，中间是一个尖峰。',
   },
   explicit: {
     title: '为什么不用已知的力？',
@@ -44,7 +44,7 @@ export const zh: Catalogue<typeof en> = {
 
 $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\sympCurr)$$
 
-单根弹簧上的质点以 $\omega = \sqrt{\symk/\symm}$ 振动。若 $\symdeltaT\,\omega$ 大于 2，每一步都会越过静止长度，而且一次比一次冲得更远。按下播放，
+单根弹簧上的质点以 $\omega = \sqrt{\symk/\symm}$ 振动。若 $\symdeltaT\,\omega$ 大于 2，每一步都会越过原长，而且一次比一次冲得更远。按下播放，
 再减小 $\symk$ 或 $\symdeltaT$，直到它稳定为止。`,
     atStart: '取时间步始端的力',
     atEnd: '取时间步末端的力',
@@ -62,7 +62,7 @@ $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\
     intro: raw`若对照课程讲义阅读，会看到不同的正负号。孰是孰非很容易检验：把一个质点移动一点点，看 $\symobjective$ 改变多少，再与力比较。`,
     sign: {
       title: '惯性项前的负号',
-      why: raw`带负号时，导数为 $-\symm_i\syma_i - \symf_i$；令其为零，质点会向上坠落。`,
+      why: raw`带负号时，导数为 $-\symm_i\syma_i - \symf_i$；令其为零，质点会向上运动。`,
     },
     half: {
       title: '惯性项缺少 ½',

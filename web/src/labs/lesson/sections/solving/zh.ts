@@ -31,7 +31,7 @@ $\symL x = \symb$ 的第一行只有一个元素，做一次除法便得 $x_0$�
     start: '左表的第一行只有一个非零元素。',
     forwards: '向下：前代',
     backwards: '向上：回代',
-    residual: '解毕：Q p 的每一行与 b 相差不超过 {{residual}} N。',
+    residual: '求解完成：Q p 的每一行与 b 相差不超过 {{residual}} N。',
     counted:
       '打开本页以来，为这两张表分解了 {{factorised}} 次（Q 每变一次），求解了 {{solved}} 次（Q 或 b 每变一次）。',
   },

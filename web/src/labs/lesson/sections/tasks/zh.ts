@@ -21,7 +21,7 @@ export const zh: Catalogue<typeof en> = {
     },
     precomputation: {
       title: 'fast_mass_springs_precomputation_dense',
-      text: raw`输入：静止位置、弹簧、质量、固定顶点、$\symk$、$\symdeltaT$、$\symw$。输出：$\symr$、$\symA$、$\symM$、$\symC$ 以及 $\symQ$ 的分解。凡是不随时间步改变的量都在这里计算。`,
+      text: raw`输入：静止位置、弹簧、质量、固定点、$\symk$、$\symdeltaT$、$\symw$。输出：$\symr$、$\symA$、$\symM$、$\symC$ 以及 $\symQ$ 的分解。凡是不随时间步改变的量都在这里计算。`,
     },
     step: {
       title: 'fast_mass_springs_step_dense',
@@ -33,7 +33,7 @@ export const zh: Catalogue<typeof en> = {
     },
     sparsePrecomputation: {
       title: 'fast_mass_springs_precomputation_sparse',
-      text: raw`与前面相同，但中途不允许出现存有零元的矩阵：既不能用稠密矩阵相乘，也不能有值为零的三元组。$\symQ$ 由每根弹簧、每个质量和每个固定顶点的贡献累加而成。`,
+      text: raw`与前面相同，但中途不允许出现存有零元的矩阵：既不能用稠密矩阵相乘，也不能有值为零的三元组。$\symQ$ 由每根弹簧、每个质量和每个固定点的贡献累加而成。`,
     },
     sparseStep: {
       title: 'fast_mass_springs_step_sparse',
@@ -60,7 +60,7 @@ export const zh: Catalogue<typeof en> = {
     slow: {
       ask: raw`旗帜要五秒才能算出一帧，而你的函数都是对的。怎么办？`,
       hint: raw`数一数三元组的个数，再数一数分解的次数。`,
-      answer: raw`常见原因有两个：一是存入了值为零的三元组（对所有顶点对循环，没有弹簧的地方也加 $0$，就会产生 $3321^2$ 个三元组）；二是每个时间步甚至每次迭代都重新分解。前者见[第 8 节](sparse)，后者见[第 7 节](solving)。另外编译时要打开优化选项，否则 Eigen 会慢几十倍。`,
+      answer: raw`常见原因有两个：一是存入了值为零的三元组（对所有质点对循环，没有弹簧的地方也加 $0$，就会产生 $3321^2$ 个三元组）；二是每个时间步甚至每次迭代都重新分解。前者见[第 8 节](sparse)，后者见[第 7 节](solving)。另外编译时要打开优化选项，否则 Eigen 会慢几十倍。`,
     },
   },
   sources: {

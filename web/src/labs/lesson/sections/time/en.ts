@@ -6,7 +6,7 @@ film, consists of single pictures. Between one picture and the next, $\symdeltaT
 have to be made of what is there: **positions**.`,
   differences: {
     title: 'Differences in place of derivatives',
-    velocity: raw`The velocity of mass $i$ is the way that it has come since the picture before, divided by the time that this took:
+    velocity: raw`The velocity of mass $i$ is the distance it has moved since the previous picture, divided by the time that this took:
 
 $$\symvelocity_i \approx \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}$$
 

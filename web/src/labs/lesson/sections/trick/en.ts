@@ -37,7 +37,7 @@ export const en = {
       choose, and to stay is one of the choices. Right after a local step $\symsurrogate = \symobjective$. So
       $\symobjective$ falls from round to round, or has arrived.
     `,
-    caption: raw`Go on by half-steps. Left, the local step: every spring takes its rest length along its present direction, and the net tears. Right, the global step: one solve stitches it together; arrows show what moved. Pull at a vertex, then step again.`,
+    caption: raw`Go on by half-steps. The local step shows in “Every spring alone”: each takes its rest length along its present direction, and the net tears. The global step shows in “The net”: one solve stitches it together; arrows show what moved. Pull at a vertex, then step again.`,
   },
   loops: {
     ask: raw`After the global step we go back to the local one. Has time gone on?`,
@@ -78,7 +78,7 @@ export const en = {
       - After a **fixed number** of rounds. One then knows what a picture costs, but not how exact it is.
       - Once the **gradient** is small. Its largest component is the force, in newtons, that is left unbalanced at the
         worst vertex; at zero, $f = ma$ holds exactly.
-      - Once a round **lowers $\symobjective$ by little**. That is cheap to ask, but who goes slowly need not have arrived.
+      - Once a round **lowers $\symobjective$ by little**. That is cheap to ask, but slow progress need not mean arrival.
 
       The course takes the first, with fifty rounds.
     `,
@@ -95,13 +95,14 @@ export const en = {
     answer: raw`
       Every round leaves about the same fraction of the gap. The fraction depends on $\symkappa$, which weighs springs
       against inertia within one time step: stiffer springs, a longer $\symdeltaT$ or lighter vertices bring it closer
-      to 1. So there is no number that is always enough. These are the rounds until no vertex has more than
+      to 1. So there is no number that is always enough. Yet the rounds grow more slowly than $\symkappa$ itself: four
+      times as stiff takes about two to two and a half times as many. These are the rounds until no vertex has more than
       {{tolerance}} unbalanced:
     `,
     kappa: raw`stiffness number $\symkappa$`,
     rounds: 'rounds needed',
     series: 'patch, eighth time step',
-    summary: 'The rounds needed grow about in proportion to the stiffness number.',
+    summary: 'The rounds needed grow with the stiffness number, though more slowly than the number itself.',
   },
   sources: {
     course:

@@ -36,7 +36,7 @@ export const zh: Catalogue<typeof en> = {
       而“保持不动”总在允许之列。局部步刚做完时 $\symsurrogate = \symobjective$。因此每一轮之后
       $\symobjective$ 都会下降，除非已经到达极小点。
     `,
-    caption: raw`请逐半步前进。左图是局部步：每根弹簧沿当前方向取原长，整张网被撕开。右图是全局步：一次求解又把它缝合起来，箭头表示各质点的移动。也可以拉动一个质点，再继续前进。`,
+    caption: raw`请逐半步前进。“每根弹簧各自”一图是局部步：每根弹簧沿当前方向取原长，整张网被撕开。“整张网”一图是全局步：一次求解又把它缝合起来，箭头表示各质点的移动。也可以拉动一个质点，再继续前进。`,
   },
   loops: {
     ask: raw`全局步之后又回到局部步。这时，时间前进了吗？`,
@@ -90,12 +90,13 @@ export const zh: Catalogue<typeof en> = {
     answer: raw`
       每一轮之后，差距大约都缩小为原来的同一个比例。这个比例取决于 $\symkappa$，它衡量一个时间步内弹簧与惯性孰强孰弱：
       弹簧越硬、$\symdeltaT$ 越长、质点越轻，比例就越接近 1。所以没有一个轮数永远够用。
+      不过轮数的增长慢于 $\symkappa$ 本身：刚度变为四倍，轮数大约只变为两倍到两倍半。
       下图是使所有质点的不平衡力都不超过 {{tolerance}} 所需的轮数：
     `,
-    kappa: raw`刚性数 $\symkappa$`,
+    kappa: raw`刚度数 $\symkappa$`,
     rounds: '所需轮数',
     series: '网片，第 8 个时间步',
-    summary: '所需轮数大致与刚性数成正比。',
+    summary: '所需轮数随刚度数增加，但增长得比刚度数慢。',
   },
   sources: {
     course:
