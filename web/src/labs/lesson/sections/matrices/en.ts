@@ -13,26 +13,26 @@ $$\symv = \symA\symp$$`,
   },
   trace: {
     title: 'Sums of squares as traces',
-    text: raw`
+    springs: raw`
 The sum of the squares of all entries of a matrix $\mathbf{X}$ is the trace $\operatorname{tr}(\mathbf{X}^{\mathrm T}\mathbf{X})$: its diagonal holds the squared length of every column. So the springs, with $\symd$ held as in [the last section](trick), are
 
-$$\sum_{ij} \tfrac12\symk\lVert(\symp_i - \symp_j) - \symd_{ij}\rVert^2 = \tfrac12\symk\operatorname{tr}\bigl((\symA\symp - \symd)^{\mathrm T}(\symA\symp - \symd)\bigr)$$
-
-and inertia, with the masses on the diagonal of $\symM$ and $\mathbf{q} = \symp - 2\sympCurr + \sympPrev$,
+$$\begin{aligned} & \sum_{ij} \tfrac12\symk\lVert(\symp_i - \symp_j) - \symd_{ij}\rVert^2 \\ & \quad = \tfrac12\symk\operatorname{tr}\bigl((\symA\symp - \symd)^{\mathrm T}(\symA\symp - \symd)\bigr) \end{aligned}$$`,
+    check: 'Both sides for the net above: the sum over springs is {{sum}}, half k times the trace is {{trace}}.',
+    inertia: raw`
+Inertia becomes, with the masses on the diagonal of $\symM$ and $\mathbf{q} = \symp - 2\sympCurr + \sympPrev$,
 
 $$\syminertia = \tfrac{1}{2\symdeltaT^2}\operatorname{tr}\bigl(\mathbf{q}^{\mathrm T}\symM\,\mathbf{q}\bigr).$$`,
-    check: 'Both sides now: the sum over springs is {{sum}}, half k times the trace is {{trace}}.',
   },
   collect: {
     title: 'Collect what multiplies p',
     text: raw`
 Where a function is least, its gradient vanishes. The gradient of a trace of squares is as simple as that of a square: $\operatorname{tr}(\mathbf{X}^{\mathrm T}\mathbf{X})$ has $2\mathbf{X}$. Set the sum of all gradients to zero and put everything that multiplies $\symp$ on the left:
 
-$$\bigl(\symk\symA^{\mathrm T}\symA + \tfrac{1}{\symdeltaT^2}\symM + \symw\symC^{\mathrm T}\symC\bigr)\,\symp = \symk\symA^{\mathrm T}\symd + \symy$$
+$$\begin{aligned} & \bigl(\symk\symA^{\mathrm T}\symA + \tfrac{1}{\symdeltaT^2}\symM + \symw\symC^{\mathrm T}\symC\bigr)\,\symp \\ & \quad = \symk\symA^{\mathrm T}\symd + \symy \end{aligned}$$
 
 The bracket is $\symQ$, the right side $\symb$. What does not change while $\symp$ and $\symd$ take turns is gathered in $\symy$:
 
-$$\symy = \tfrac{1}{\symdeltaT^2}\symM\,(2\sympCurr - \sympPrev) + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget$$
+$$\begin{aligned} \symy = {} & \tfrac{1}{\symdeltaT^2}\symM\,(2\sympCurr - \sympPrev) \\ & + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget \end{aligned}$$
 
 $$\symQ\symp = \symb$$
 

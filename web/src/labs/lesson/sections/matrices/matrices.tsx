@@ -1,22 +1,29 @@
+import { useFigure } from '../../figures/use_figure.ts';
+import { useInspection } from '../../figures/use_inspection.ts';
 import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { inLanguage } from '../../text.ts';
+import { BothSides } from './both_sides.tsx';
 import { en } from './en.ts';
 import { QTerms } from './q_terms.tsx';
-import { SpringsProduct } from './springs_product.tsx';
+import { hanging, SpringsProduct } from './springs_product.tsx';
 import { WhatChanged } from './what_changed.tsx';
 import { zh } from './zh.ts';
 import './matrices.css';
 
 export function Matrices() {
   const words = inLanguage({ en, zh });
+  const figure = useFigure(hanging);
+  const seen = useInspection(figure);
   return (
     <>
       <Prose text={words.intro} />
-      <SpringsProduct caption={words.product.caption} check={words.trace.check} />
+      <SpringsProduct figure={figure} seen={seen} caption={words.product.caption} />
       <h3>{words.trace.title}</h3>
-      <Prose text={words.trace.text} />
+      <Prose text={words.trace.springs} />
+      <BothSides figure={figure} seen={seen} text={words.trace.check} />
+      <Prose text={words.trace.inertia} />
       <h3>{words.collect.title}</h3>
       <Prose text={words.collect.text} />
       <QTerms words={words.collect} />

@@ -42,8 +42,8 @@ The lab uses elimination by itself, because it is faster. As soon as you choose 
     answer: raw`$\symC$ is #pinned × #V. It can stand left of something with #V rows ($\symC\symp$: pick), $\symC^{\mathrm T}$ left of something with #pinned rows ($\symC^{\mathrm T}$ of targets: put back where they belong). Only $\symC^{\mathrm T}\symC$ is #V × #V and can be added to $\symA^{\mathrm T}\symA$. If your targets are stored as a list of #pinned rows, the right side needs $\symw\symC^{\mathrm T}$ times the list.`,
   },
   slip: {
-    printed: raw`\sympinEnergy = \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\sympTarget\bigr)`,
-    right: raw`\sympinEnergy = \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\,\sympTarget\bigr)`,
+    printed: raw`\begin{aligned} \sympinEnergy = {} & \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) \\ & - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\sympTarget\bigr) \end{aligned}`,
+    right: raw`\begin{aligned} \sympinEnergy = {} & \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) \\ & - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\,\sympTarget\bigr) \end{aligned}`,
     why: raw`One text writes the rest positions without $\symC^{\mathrm T}\symC$ before them. Then the penalty pulls at **every** vertex, towards its place at rest, with all of $\symw$, and nothing holds it back where $\symC^{\mathrm T}\symC$ is zero. (What is the same for all $\symp$ is left out of both lines.)`,
   },
   again: {
