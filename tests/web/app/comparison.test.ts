@@ -53,6 +53,11 @@ describe('the comparison', () => {
     expect(comparison.value?.runs).toHaveLength(5);
   });
 
+  it('has Newton’s method without asking once that is the method chosen', () => {
+    setParameters({ method: 'newton' });
+    expect(finishAll()).toEqual(['lbfgs', 'local-global', 'chebyshev', 'anderson', 'newton']);
+  });
+
   it('is made anew for another time step, and Newton’s method asked for again', () => {
     compareNewton();
     finishAll();

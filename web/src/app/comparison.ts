@@ -28,7 +28,7 @@ export function comparisonRequest(method: Method): MethodRequest {
   };
 }
 
-/** Newton's method comes only when asked for: it can take seconds. L-BFGS first: without E* there is no gap to draw. */
+/** Newton's method comes only when chosen or asked for: it can take seconds. L-BFGS first: without E* there is no gap to draw. */
 const quickMethods: readonly Method[] = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
 
 export const comparison = signal<Comparison | null>(null);
@@ -48,12 +48,17 @@ export const timeStep = computed<TimeStep>(() => {
   return { step: step.value };
 });
 
+/** Whether the comparison is to have Newton's method too. */
+export const newtonWanted = computed(
+  () => parameters.value.method === 'newton' || newtonAskedFor.value === timeStep.value,
+);
+
 /** What the comparison on the page still lacks. */
 export const missingMethod = computed<Method | null>(() => {
   const now = timeStep.value; // read whether or not it is needed: what is not followed could change and change back unseen
   if (state.value.view.plot !== 'comparison') return null;
   const done = comparison.value?.of === now ? comparison.value : null;
-  const wanted: readonly Method[] = newtonAskedFor.value === now ? [...quickMethods, 'newton'] : quickMethods;
+  const wanted: readonly Method[] = newtonWanted.value ? [...quickMethods, 'newton'] : quickMethods;
   return wanted.find((method) => !isIn(done, method)) ?? null;
 });
 

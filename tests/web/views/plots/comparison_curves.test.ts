@@ -24,6 +24,18 @@ describe('comparisonCurves', () => {
     expect(curves[1].points.map(({ milliseconds }) => milliseconds)).toEqual([0, 0.5, 1, 1.5]);
   });
 
+  it('credits E* to the fewest iterations among the methods that differ by rounding only', () => {
+    const newton = run('newton', 9, [0, -7, -8 + 1e-13]);
+    const noise = run('anderson', 1, [0, -5, -7, -7.5, -8 - 1e-13], true);
+    expect(comparisonCurves([lbfgs, noise, newton], 0).minimum).toEqual({
+      method: 'newton',
+      iteration: 2,
+      converged: true, // two others have seen that E falls no further
+    });
+    const lower = run('anderson', 1, [0, -5, -7, -7.5, -8.1]);
+    expect(comparisonCurves([lbfgs, lower], 0).minimum).toEqual({ method: 'anderson', iteration: 4, converged: false });
+  });
+
   it('ends a curve where nothing but rounding is left', () => {
     expect(curves[0].points.map(({ gap }) => gap)).toEqual([8, 2, 1, null]);
     const [noisy] = comparisonCurves([run('anderson', 1, [0, -1, -1 - 1e-7, -1 - 2e-7])], 1e-6).curves;

@@ -21,11 +21,11 @@ export interface Curve {
   points: readonly CurvePoint[];
 }
 
-/** Where E* was reached, the lowest objective of all the runs. */
+/** Where E*, the lowest objective of all the runs, was reached up to rounding. */
 export interface Minimum {
   method: Method;
   iteration: number;
-  /** Whether that method ended because E falls no further. */
+  /** Whether a method that came there ended because E falls no further. */
   converged: boolean;
 }
 
@@ -39,23 +39,33 @@ export function abscissaOf(point: CurvePoint, abscissa: Abscissa): number {
   return abscissa === 'iterations' ? point.iteration : point.milliseconds;
 }
 
+/** Of the decrease of E: what the sums over all springs may differ by from one method to another. */
+const roundingOfDecrease = 1e-12;
+
 /**
  * @param runs      one at least
  * @param rounding  J: smaller gaps mean nothing
  */
 export function comparisonCurves(runs: readonly MethodRun[], rounding: number): { curves: Curve[]; minimum: Minimum } {
-  const lowest = runs.map((run) => lowestChange(run));
-  const best = lowest.indexOf(Math.min(...lowest));
-  const { method, change, converged } = runs[best];
-  const minimum = { method, iteration: change.indexOf(lowest[best]), converged };
-  return { curves: runs.map((run) => curveOf(run, lowest[best], rounding)), minimum };
+  const lowest = Math.min(...runs.map(lowestChange));
+  const least = Math.max(rounding, roundingOfDecrease * -lowest);
+  const curves = runs.map((run) => curveOf(run, lowest, least));
+  return { curves, minimum: minimumOf(runs, curves) };
 }
 
-function curveOf({ method, milliseconds, change, gradient }: MethodRun, lowest: number, rounding: number): Curve {
+/** Several may have come there up to rounding: then the one of the fewest iterations is named. */
+function minimumOf(runs: readonly MethodRun[], curves: readonly Curve[]): Minimum {
+  const reached = curves.filter(({ points }) => points[points.length - 1].gap === null);
+  const { method, points } = reached.reduce((first, next) => (next.points.length < first.points.length ? next : first));
+  const converged = runs.some((run) => run.converged && reached.some((curve) => curve.method === run.method));
+  return { method, iteration: points.length - 1, converged };
+}
+
+function curveOf({ method, milliseconds, change, gradient }: MethodRun, lowest: number, least: number): Curve {
   const points = Array.from(change, (value, iteration) => ({
     iteration,
     milliseconds: iteration * milliseconds,
-    gap: value - lowest > rounding ? value - lowest : null,
+    gap: value - lowest > least ? value - lowest : null,
     gradient: gradient[iteration],
   }));
   const floor = points.findIndex(({ gap }) => gap === null);

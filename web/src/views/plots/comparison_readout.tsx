@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { type Comparison, missingMethod } from '../../app/comparison.ts';
+import { type Comparison, newtonWanted } from '../../app/comparison.ts';
 import { t } from '../../app/messages/index.ts';
 import { refusalParams } from '../../app/refusal_params.ts';
 import { formatNumber } from '../../lib/format.ts';
@@ -28,7 +28,7 @@ export function ComparisonReadout(props: Props) {
     const refusal = made.refusals.find((one) => one.method === method);
     if (refusal) return t('plots.comparison.refused', refusalParams(refusal.status));
     if (stale) return null;
-    if (method !== 'newton' || missingMethod.value === 'newton') return t('plots.comparison.computing');
+    if (method !== 'newton' || newtonWanted.value) return t('plots.comparison.computing');
     return (
       <button type="button" onClick={onNewton}>
         {t('plots.comparison.addNewton')}
@@ -47,7 +47,7 @@ export function ComparisonReadout(props: Props) {
           <th scope="col">{t('methods.label')}</th>
           <th scope="col">{t('plots.comparison.gapShort')}, J</th>
           <th scope="col">{t('plots.gradient')}, N</th>
-          <th scope="col">{t('plots.comparison.iterations')}</th>
+          <th scope="col">{t(`plots.comparison.${abscissa === 'iterations' ? 'stoppedAfter' : 'iterations'}`)}</th>
           <th scope="col">{t('plots.comparison.milliseconds')}</th>
         </tr>
       </thead>

@@ -37,6 +37,7 @@ export const plots = {
     label:
       'What {{methods}} methods leave of E − E* in time step {{step}}. The tables below have all numbers; arrow keys on the slider before read them off.',
     afterIterations: 'After {{place}} iterations',
+    stoppedAfter: 'stopped after',
     afterTime: 'After {{place}}',
     gapShort: 'E − E*',
     rounding: '≤ rounding',
