@@ -2,7 +2,7 @@ import { drawingTime, iterationTime, playedStep } from '../../app/measurements.t
 import { t } from '../../app/messages/index.ts';
 import { frame, parameters, playing, scene } from '../../app/state.ts';
 import type { Frame } from '../../solver/frame.ts';
-import { type Part, TimeBudget } from './time_budget.tsx';
+import { type Part, PartList, TimeBudget } from './time_budget.tsx';
 import './solver_panel.css';
 
 /** ms between two pictures of a 60 Hz screen. */
@@ -15,7 +15,7 @@ export function SolverPanel() {
   return (
     <section class="solver-panel" aria-labelledby="solver-heading">
       <h2 id="solver-heading">{t('page.solver.heading')}</h2>
-      <StepBudget />
+      {playing.value ? <StepBudget /> : <IterationTime />}
       {drawingTime.value !== null && (
         <TimeBudget
           name={t('page.solver.drawing')}
@@ -59,20 +59,46 @@ function StepBudget() {
   );
 }
 
-/** The halves of every iteration, and while playing what is left of a whole time step. Null before anything was measured. */
+/** The halves of every iteration and what is left of a whole time step. Null before anything was measured. */
 function stepParts(): Part[] | null {
   const iteration = iterationTime.value;
-  const whole = playing.value ? playedStep.value : null;
+  const whole = playedStep.value;
+  if (!iteration || whole === null) return null;
   const inverse = parameters.value.method !== 'newton'; // which solves with another matrix, as part of the rest
-  if (!iteration || (whole === null && !inverse)) return null;
   const { iterations } = frame.value as Frame;
   const local = iterations * iteration.local;
   const global = inverse ? iterations * iteration.global : 0;
   const parts = [{ name: t('page.solver.localPart', { iterations }), ms: local, colour: '--symbol-d' }];
   if (inverse) parts.push({ name: t('page.solver.globalPart', { iterations }), ms: global, colour: '--symbol-p' });
-  if (whole !== null)
-    parts.push({ name: t('page.solver.rest'), ms: Math.max(0, whole - local - global), colour: '--muted' });
+  parts.push({ name: t('page.solver.rest'), ms: Math.max(0, whole - local - global), colour: '--muted' });
   return parts;
+}
+
+/** While paused no whole time step is measured, and only an iteration of local/global is nothing but its two halves. */
+function IterationTime() {
+  const iteration = iterationTime.value;
+  if (parameters.value.method !== 'local-global')
+    return (
+      <div class="budget">
+        <p class="budget-name">
+          <span>{t('page.solver.timeStep')}</span> <span>{t('page.solver.timeElsewhere')}</span>
+        </p>
+      </div>
+    );
+  if (!iteration) return null;
+  return (
+    <div class="budget">
+      <p class="budget-name">
+        <span>{t('page.solver.iteration')}</span>
+      </p>
+      <PartList
+        parts={[
+          { name: t('page.solver.local'), ms: iteration.local, colour: '--symbol-d' },
+          { name: t('page.solver.global'), ms: iteration.global, colour: '--symbol-p' },
+        ]}
+      />
+    </div>
+  );
 }
 
 /** How many iterations this time step took, and what ended it. */

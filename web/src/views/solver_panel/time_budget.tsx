@@ -32,16 +32,20 @@ export function TimeBudget({ name, parts, budget_ms, budgetName }: Props) {
         ))}
         {total > budget_ms && <b style={{ left: percent(budget_ms) }} />}
       </div>
-      {parts.length > 1 && (
-        <ul>
-          {parts.map(({ name: part, ms, colour }) => (
-            <li key={part}>
-              <i style={{ background: `var(${colour})` }} /> {part} <span>{milliseconds(ms)}</span>
-            </li>
-          ))}
-        </ul>
-      )}
+      {parts.length > 1 && <PartList parts={parts} />}
     </div>
+  );
+}
+
+export function PartList({ parts }: Pick<Props, 'parts'>) {
+  return (
+    <ul>
+      {parts.map(({ name, ms, colour }) => (
+        <li key={name}>
+          <i style={{ background: `var(${colour})` }} /> {name} <span>{milliseconds(ms)}</span>
+        </li>
+      ))}
+    </ul>
   );
 }
 
