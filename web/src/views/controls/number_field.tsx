@@ -40,9 +40,11 @@ export function NumberField({ id, value, min, max, whole = false, unit, onSet, c
           inputMode="decimal"
           autocomplete="off"
           value={showNumber(value)}
-          aria-invalid={problem !== null}
           aria-describedby={problem ? `${id}-problem` : undefined}
-          onChange={(event) => read(event.currentTarget.value)}
+          onChange={({ currentTarget: input }) => {
+            read(input.value);
+            input.value = showNumber(value); // a refused text stays in the sentence only; an accepted one is drawn next
+          }}
           onKeyDown={(event) => {
             if (event.key === 'Enter') event.currentTarget.blur(); // and the page's own keys work again
           }}

@@ -24,14 +24,17 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
   const { min, max } = limits[name];
   const id = `parameter-${name}`;
   const whole = name === 'iterations';
+  const unused = name === 'w' && parameters.value.path === 'fast'; // its pins are held exactly
+  const text = `${showNumber(value)} ${unit}`;
 
   return (
-    <div class="parameter">
+    <div class={unused ? 'parameter unused' : 'parameter'}>
       <label for={id}>
         <i class="symbol" data-sym={symbol ?? undefined}>
           {letter}
         </i>
         {t(`page.controls.${name}`)}
+        {unused && <span class="unused-note"> · {t('page.controls.notInUse')}</span>}
       </label>
       <input
         type="range"
@@ -40,7 +43,7 @@ export function ParameterControl({ name, letter, symbol, unit, actions }: Props)
         value={toTick(value, min, max)}
         style={{ '--filled': `${(100 * toTick(value, min, max)) / ticks}%` }}
         aria-label={t(`page.controls.${name}`)}
-        aria-valuetext={`${showNumber(value)} ${unit}`}
+        aria-valuetext={unused ? `${text}, ${t('page.controls.notInUse')}` : text}
         onInput={(event) => {
           const next = fromTick(event.currentTarget.valueAsNumber, min, max);
           actions.setParameter(name, whole ? Math.round(next) : round(next));
