@@ -8,7 +8,7 @@ import { springVectors } from './spring_vectors.ts';
 
 const { raw } = String;
 
-/** Opens within a time step: only there does a frame have d. */
+/** Opens after a local step: before it there is no d. */
 export const hanging: FigureSettings = {
   scene: 'triangle',
   selection: { spring: 1, vertex: 2 },
