@@ -335,16 +335,16 @@ void Simulation::next_half_step(Cursor& cursor) {
     minimiser.positions(iterate.p);
     return;
   }
-  y();
   system_.global_step(step, workspace_, iterate);
   if (k == state_.parameters.iterations) outcome_ = {StopReason::iterations, k};
 }
 
 void Simulation::record(const Cursor& cursor) {
   const TimeStep& step = state_.time_step;
-  double residual = 0;  // N
-  if (cursor.at_global() && !minimises()) {
-    residual = system_.residual(step, cursor.iterate.p, workspace_.b);
+  double residual = nan;  // N
+  if (cursor.at_global() && state_.parameters.method == Method::local_global) {
+    y();
+    residual = system_.residual(step, cursor.iterate, workspace_);
   }
   trace_.append(step, cursor, residual, state_.parameters.iterations);
 }

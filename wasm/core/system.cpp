@@ -152,8 +152,6 @@ std::unique_ptr<Minimiser> System::minimiser(Method method, const TimeStep& step
 
 void System::global_step(const TimeStep& step, Workspace& workspace, Iterate& iterate) {
   if (fast_) {
-    right_hand_side(std::get<SparsePrecomputation>(precomputation_).A, step.k, iterate.d,
-                    workspace);
     WidePoints rows = fast_->rows_from_points(iterate.p_before);
     fast_->iterate(rows, 1);
     fast_->points_from_rows(rows, iterate.p);
@@ -217,11 +215,15 @@ void System::rehearse_global_step(const TimeStep& step, int times) {
       precomputation_);
 }
 
-double System::residual(const TimeStep& step, const Points& p, const Points& b) const {
+double System::residual(const TimeStep& step, const Iterate& iterate, Workspace& workspace) const {
   Points Qp;  // #V by 3, N
-  std::visit([&](const auto& precomputation) { system_product(step, precomputation, p, Qp); },
-             precomputation_);
-  Vector missed = (Qp - b).rowwise().lpNorm<Eigen::Infinity>();  // #V, N
+  std::visit(
+      [&](const auto& precomputation) {
+        right_hand_side(precomputation.A, step.k, iterate.d, workspace);
+        system_product(step, precomputation, iterate.p, Qp);
+      },
+      precomputation_);
+  Vector missed = (Qp - workspace.b).rowwise().lpNorm<Eigen::Infinity>();  // #V, N
   if (fast_) {
     for (const int pinned : step.pinned) missed(pinned) = 0;
   }

@@ -62,9 +62,10 @@ class System {
   void rehearse_local_step(const TimeStep& step, int times) const;
   void rehearse_global_step(const TimeStep& step, int times);
 
-  /// max |Qp - b|, N, over the equations that the global step solves: on the fast path those of
-  /// the vertices that are not pinned.
-  double residual(const TimeStep& step, const Points& p, const Points& b) const;
+  /// max |Qp - b|, N, b = k Aᵀd + y, over the equations that the global step solves: on the fast
+  /// path those of the vertices that are not pinned.
+  /// @param workspace  reads y; leaves b
+  double residual(const TimeStep& step, const Iterate& iterate, Workspace& workspace) const;
   VertexProbe probe(const TimeStep& step, const Iterate& iterate, const Points& y, int i) const;
   Triplets A() const;
   Triplets M() const;

@@ -24,7 +24,7 @@ class Trace {
   static constexpr int columns = 10;
 
   /// Appends the row of the next half-step, recorded().
-  /// @param residual    max |Qp - b| at global, 0 elsewhere, N
+  /// @param residual    max |Qp - b|, N; not a number where the half-step does not solve Q p = b
   /// @param iterations  K
   void append(const TimeStep& step, const Cursor& cursor, double residual, int iterations);
 

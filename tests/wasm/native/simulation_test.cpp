@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstring>
+#include <vector>
+
 #include "support.h"
 
 namespace mass_spring {
@@ -86,7 +89,10 @@ TEST_CASE("a drag inside a time step that diverges is undone") {
   CHECK(simulation.time_step().targets == Points::Zero(1, 3));
   CHECK(simulation.iterate().p == p);
   CHECK(simulation.y() == y);
-  CHECK(simulation.trace().rows() == rows);
+  const std::vector<double>& restored = simulation.trace().rows();
+  REQUIRE(restored.size() == rows.size());
+  // By bits: a residual that is not a number is unlike itself.
+  CHECK(std::memcmp(restored.data(), rows.data(), rows.size() * sizeof(double)) == 0);
 }
 
 TEST_CASE("the same pins in another order keep their targets") {

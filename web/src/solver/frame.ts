@@ -20,7 +20,7 @@ export interface TraceEvent {
   pin: number;
   /** ‖∂E/∂p‖∞ of the vertices that are free to move. */
   gradient: number;
-  /** ‖Qp − b‖∞ of a global step, 0 elsewhere. */
+  /** ‖Qp − b‖∞ of a global step; NaN elsewhere, and of methods that do not solve Qp = b. */
   residual: number;
   /** max_i ‖p_i − p_before,i‖. */
   change: number;

@@ -30,7 +30,7 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
       ) : (
         <p class="equation-note">{t('equations.global.invite')}</p>
       )}
-      {event?.phase === 'global' && (
+      {event && !Number.isNaN(event.residual) && (
         <p class="equation-facts">
           <span>
             {t('equations.global.residual')} <Formula tex={raw`\lVert \symQ\symp - \symb \rVert_\infty`} /> ={' '}

@@ -16,8 +16,10 @@ export const traceFields = [
   'change',
 ] as const satisfies readonly (keyof TraceEvent)[];
 
-/** Full double precision, one line a half-step. */
+/** Full double precision, one line a half-step; a cell is empty where there is nothing to measure. */
 export function traceCsv(events: readonly TraceEvent[]): string {
-  const lines = [traceFields.join(','), ...events.map((event) => traceFields.map((field) => event[field]).join(','))];
+  const cell = (value: number | string) => (Number.isNaN(value) ? '' : value);
+  const line = (event: TraceEvent) => traceFields.map((field) => cell(event[field])).join(',');
+  const lines = [traceFields.join(','), ...events.map(line)];
   return `${lines.join('\n')}\n`;
 }

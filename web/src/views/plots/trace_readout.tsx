@@ -13,7 +13,6 @@ export function placeText({ half_step: halfStep, iteration, phase }: TraceEvent)
 
 /** One half-step in numbers: what it did, the objective and its terms. */
 export function TraceReadout({ point: { event, drop } }: { point: TracePoint }) {
-  const { phase } = event;
   return (
     <div class="trace-readout">
       <p>
@@ -22,8 +21,10 @@ export function TraceReadout({ point: { event, drop } }: { point: TracePoint }) 
       <dl>
         {drop !== null && <Quantity name={t('plots.drop')}>{formatQuantity(drop, 'J')}</Quantity>}
         <Quantity name={t('plots.gradient')}>{formatQuantity(event.gradient, 'N', 2)}</Quantity>
-        {phase === 'global' && <Quantity name={t('plots.residual')}>{formatQuantity(event.residual, 'N', 2)}</Quantity>}
-        {phase === 'global' && <Quantity name={t('plots.change')}>{formatLength(event.change)}</Quantity>}
+        {!Number.isNaN(event.residual) && (
+          <Quantity name={t('plots.residual')}>{formatQuantity(event.residual, 'N', 2)}</Quantity>
+        )}
+        {event.phase === 'global' && <Quantity name={t('plots.change')}>{formatLength(event.change)}</Quantity>}
         <Quantity name={t('plots.objective')}>{formatQuantity(event.objective, 'J', exact)}</Quantity>
         {(['potential', 'inertia', 'external', 'pin'] as const).map((term) => (
           <Quantity key={term} name={t(`plots.${term}`)}>

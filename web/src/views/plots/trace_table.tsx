@@ -63,7 +63,7 @@ function Rows({ events, cursorHalfStep, onSeek }: Omit<Props, 'step'>) {
                 </button>
               </th>
               {quantities.map(([name]) => (
-                <td key={name}>{formatNumber(event[name], 6)}</td>
+                <td key={name}>{Number.isNaN(event[name]) ? '–' : formatNumber(event[name], 6)}</td>
               ))}
             </tr>
           ))}
