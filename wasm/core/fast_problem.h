@@ -29,8 +29,10 @@ class FastProblem {
 
   /// @param p  #V rows, m: pinned vertices where they are held
   /// @param g  #V rows, N: ∂E/∂p, 0 in rows of pinned vertices (result)
-  /// @return E(p) - objective_offset() of the system, J
+  /// @return E(p) - objective_offset(), J
   double objective_and_gradient(const Field& p, Field& g) const { return system_.gradient(p, g); }
+
+  double objective_offset() const { return system_.objective_offset(); }
 
   /// @param g  #V rows, N: 0 in rows of pinned vertices
   /// @param x  #V rows, m: Q⁻¹ g, 0 in rows of pinned vertices (result)

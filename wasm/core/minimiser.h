@@ -25,8 +25,11 @@ class Minimiser {
   /// Since begin().
   int iterations() const { return iterations_; }
 
-  /// J: E(p), up to what is the same for all p of the time step.
+  /// J: E(p) - objective_offset().
   virtual double objective() const = 0;
+  /// J: what is the same for all p of the time step and left out of objective(), so that small
+  /// decreases are not rounded away.
+  virtual double objective_offset() const = 0;
   /// N: ‖∂E/∂p‖∞ of the vertices that are not pinned.
   virtual double gradient_norm() const = 0;
   /// @param p         #V by 3, m (result)

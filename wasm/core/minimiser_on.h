@@ -14,6 +14,7 @@ class MinimiserOn : public Minimiser {
   explicit MinimiserOn(Problem problem) : problem_(std::move(problem)) {}
 
   double objective() const override { return method_.standing().objective; }
+  double objective_offset() const override { return problem_.objective_offset(); }
   double gradient_norm() const override {
     return problem_.gradient_norm(method_.standing().gradient);
   }

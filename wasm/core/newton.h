@@ -21,6 +21,8 @@ class NewtonProblem {
   const TimeStep& step() const { return step_; }
   bool holds_pins() const { return pins_ == Pins::held; }
 
+  /// J: what is left out of E(p).
+  double objective_offset() const { return 0; }
   double gradient_norm(const Points& g) const { return largest_free_component(g, step_.pinned); }
   /// #V by 3, m: with held pins where they are held
   Points field_from_points(Points p) const;

@@ -28,6 +28,8 @@ class PlainProblem {
     gradient(step_, p, g);
     return objective(step_, p).objective;
   }
+  /// J: what is left out of E(p).
+  double objective_offset() const { return 0; }
 
   /// @param g  #V by 3, N
   /// @param x  #V by 3, m (result): Q⁻¹ g

@@ -15,6 +15,15 @@ static bool gradient_is_small(const StoppingRule& rule, const Minimiser& minimis
   return rule.gradient > 0 && minimiser.gradient_norm() <= rule.gradient;
 }
 
+// E^{k-1} - E^k ≤ ε max(1 J, |E^k|): what is left out of both does not change the difference, but
+// |E^k|.
+static bool decrease_is_small(const StoppingRule& rule, double objective_before,
+                              const Minimiser& minimiser) {
+  const double objective = minimiser.objective() + minimiser.objective_offset();  // E^k, J
+  const double least = rule.decrease * std::max(1.0, std::abs(objective));
+  return rule.decrease > 0 && objective_before - minimiser.objective() <= least;
+}
+
 std::optional<Outcome> stop_at_start(const StoppingRule& rule, const Minimiser& minimiser) {
   if (gradient_is_small(rule, minimiser)) return Outcome{StopReason::gradient, 0};
   return {};
@@ -26,10 +35,7 @@ std::optional<Outcome> iterate_once(const StoppingRule& rule, Minimiser& minimis
   const int k = minimiser.iterations();
   if (!moved) return Outcome{StopReason::rounding, k};
   if (gradient_is_small(rule, minimiser)) return Outcome{StopReason::gradient, k};
-  // E^{k-1} - E^k ≤ ε max(1 J, |E^k|)
-  const double objective = minimiser.objective();
-  if (rule.decrease > 0 &&
-      objective_before - objective <= rule.decrease * std::max(1.0, std::abs(objective))) {
+  if (decrease_is_small(rule, objective_before, minimiser)) {
     return Outcome{StopReason::decrease, k};
   }
   if (k >= rule.iterations) return Outcome{StopReason::iterations, k};

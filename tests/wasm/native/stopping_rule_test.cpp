@@ -10,12 +10,13 @@
 namespace mass_spring {
 namespace {
 
-/// Its objective halves from 64 J, and its gradient from 64 N with it; after `most` iterations it
-/// cannot move any more.
+/// Its objective above `offset` halves from 64 J, and its gradient from 64 N with it; after `most`
+/// iterations it cannot move any more.
 class Halving : public Minimiser {
  public:
-  explicit Halving(int most) : most_(most) {}
+  explicit Halving(int most, double offset = 0) : most_(most), offset_(offset) {}
   double objective() const override { return p_; }
+  double objective_offset() const override { return offset_; }
   double gradient_norm() const override { return p_; }
   void positions(Points& p) const override { p.setConstant(1, 3, p_); }
 
@@ -28,11 +29,12 @@ class Halving : public Minimiser {
   }
 
   int most_;
+  double offset_;  // J
   double p_ = 0;
 };
 
-Outcome outcome(const StoppingRule& rule, int most = 1000) {
-  Halving method(most);
+Outcome outcome(const StoppingRule& rule, int most = 1000, double offset = 0) {
+  Halving method(most, offset);
   return iterate_until(rule, method, Points::Constant(1, 3, 64));
 }
 
@@ -60,6 +62,13 @@ TEST_CASE("once the objective hardly falls, compared with itself or with 1 J") {
   // Below 1 J, from the 7th on to 64/2^k, it falls by 64/2^k ≤ ε = 1/4 first for k = 8.
   check(outcome({50, 0, 0.25}), StopReason::decrease, 8);
   check(outcome({7, 0, 0.25}), StopReason::iterations, 7);
+}
+
+TEST_CASE("what is left out of the objective counts where it is compared with itself") {
+  // E falls to E₀ + 64/2^k by as much. For ε = 1/8 and E₀ = 120 J: first by 16 ≤ 136/8, for k = 2;
+  // for E₀ = -40 J: first by 4 ≤ |-36|/8, for k = 4.
+  check(outcome({50, 0, 0.125}, 1000, 120), StopReason::decrease, 2);
+  check(outcome({50, 0, 0.125}, 1000, -40), StopReason::decrease, 4);
 }
 
 TEST_CASE("where no iteration moves any further") {
