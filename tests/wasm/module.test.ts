@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { type Simulation, statusCodes, traceColumns } from '../../web/src/solver/module.ts';
+import { methods, type Simulation, statusCodes, traceColumns } from '../../web/src/solver/module.ts';
 import { openScene } from '../support/open_scene.ts';
 import { distance, expectOk, openSimulation, solver } from '../support/open_simulation.ts';
 import { positionsTolerance } from '../support/positions_tolerance.ts';
@@ -81,8 +81,9 @@ test('the module has exactly the calls of the interface, and they return what it
   }
 });
 
-test('the names of the status codes', () => {
+test('the names of the status codes and of the methods', () => {
   expect(solver.status_codes()).toEqual([...statusCodes]);
+  expect(solver.methods()).toEqual([...methods]);
 });
 
 test('the columns of the trace', () => {
@@ -130,12 +131,19 @@ test('a dense flag fits into the memory and moves like a sparse one; views that 
 test('every way to solve the example leaves no residual', () => {
   const example = new solver.SolvingExample(12);
   expect(example.vertex_count()).toBe(144);
-  example.dense_inverse();
+  expect(example.dense_inverse()).toBe(true);
   for (const storage of ['dense', 'sparse'] as const) {
     example[`${storage}_factorise`]();
     example[`${storage}_substitute`]();
     // Forces of 9.8 N are passed on to the pins, w |p| of 1e3 N: rounded in the 16th digit, times a few.
     expect(example.residual()).toBeLessThan(1e-11);
   }
+  example.delete();
+});
+
+test('the example refuses dense matrices that are too large', () => {
+  const example = new solver.SolvingExample(46);
+  for (const call of ['dense_inverse', 'dense_factorise', 'dense_substitute'] as const)
+    expect(example[call]()).toBe(false);
   example.delete();
 });

@@ -62,6 +62,7 @@ void set_path(Parameters& parameters, const std::string& name) {
 const std::string& method(const Parameters& parameters) {
   return method_names()[static_cast<int>(parameters.method)];
 }
+// The types of module.ts let no other names through.
 Method method_of(const std::string& name) {
   const auto& names = method_names();
   const auto found = std::find(names.begin(), names.end(), name);
@@ -117,6 +118,7 @@ int springs(const Simulation& simulation) { return simulation.time_step().E.rows
 int pins(const Simulation& simulation) { return simulation.time_step().pinned.size(); }
 
 val status_codes() { return val::array(status_code_names()); }
+val methods() { return val::array(method_names()); }
 
 }  // namespace
 
@@ -124,6 +126,7 @@ EMSCRIPTEN_BINDINGS(solver) {
   using namespace emscripten;
 
   function("status_codes", &status_codes);
+  function("methods", &methods);
 
   value_object<Status>("Status")
       .field("code", &code, &set_code)

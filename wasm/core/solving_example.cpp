@@ -28,15 +28,23 @@ SolvingExample::SolvingExample(int side) {
   b_ = Points::Constant(n, 3, -9.8);
 }
 
-void SolvingExample::dense_inverse() {
+bool SolvingExample::dense_inverse() {
+  if (!fits_dense()) return false;
   DenseMatrix Q;
   matrix_from_triplets(vertex_count(), vertex_count(), Q_, Q);
   inverse_ = Q.inverse();
+  return true;
 }
 
-void SolvingExample::dense_factorise() { dense_.factorise(vertex_count(), Q_); }
+bool SolvingExample::dense_factorise() {
+  return fits_dense() && dense_.factorise(vertex_count(), Q_);
+}
 
-void SolvingExample::dense_substitute() { dense_.solve(b_, scratch_, p_); }
+bool SolvingExample::dense_substitute() {
+  if (!fits_dense()) return false;
+  dense_.solve(b_, scratch_, p_);
+  return true;
+}
 
 void SolvingExample::sparse_factorise() { sparse_.factorise(vertex_count(), Q_); }
 

@@ -10,8 +10,8 @@ namespace mass_spring {
 /// its own: to be timed at growing size. A solve comes after its factorisation.
 class SolvingExample {
  public:
-  /// Beyond this side, 2,025 vertices, dense matrices are not made: Q and its inverse take 33 MB
-  /// each.
+  /// Beyond this side, 2,025 vertices, dense calls do nothing and return false: Q and its inverse
+  /// would take more than 33 MB each.
   static constexpr int largest_dense_side = 45;
 
   /// @param side  at least 2
@@ -20,11 +20,11 @@ class SolvingExample {
   int vertex_count() const { return static_cast<int>(b_.rows()); }
 
   /// About 2n³ operations.
-  void dense_inverse();
+  bool dense_inverse();
   /// About n³/3 operations.
-  void dense_factorise();
+  bool dense_factorise();
   /// 2n² operations for each of the three columns of b.
-  void dense_substitute();
+  bool dense_substitute();
   /// About n^1.5 operations, with a good ordering.
   void sparse_factorise();
   /// About n log n operations.
@@ -33,6 +33,8 @@ class SolvingExample {
   double residual() const;
 
  private:
+  bool fits_dense() const { return vertex_count() <= largest_dense_side * largest_dense_side; }
+
   Triplets Q_;           // #V by #V, N/m
   Points b_;             // #V by 3, N
   Points p_;             // #V by 3, m

@@ -35,12 +35,14 @@ export type Stage = 'ordering' | 'factorising';
 
 export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'path' | 'storage';
 
+/** The names of Method in wasm/core/method.h, same spelling, same order. */
 export const methods = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
 export type Method = (typeof methods)[number];
 
 /** Why a time step ended: after K iterations, by a stopping rule, or because no further step lowers E by more than rounding. */
 export type StopReason = 'iterations' | 'gradient' | 'decrease' | 'rounding';
 
+/** The core checks the numbers. Names are checked by these types alone: it takes an unknown one for local-global, plain or sparse. */
 export interface Parameters {
   /** N/m. */
   k: number;
@@ -151,7 +153,7 @@ export interface Simulation {
   /**
    * One row of `traceColumns` per half-step traced so far in this time step (0 … furthest), row-major.
    * Columns: half_step, objective E(p), surrogate Ẽ(p,d), potential, inertia, external, pin, gradient ‖∂E/∂p‖∞ of the vertices that are free to
-   * move, residual ‖Qp−b‖∞ and change max_i‖p_i − p_before_i‖ (both 0 unless global).
+   * move, residual ‖Qp−b‖∞ (NaN but at global of local-global: nothing else solves Qp = b) and change max_i‖p_i − p_before_i‖ (0 unless global).
    */
   trace(): Float64Array;
   /**
@@ -208,13 +210,14 @@ export const compareColumns = ['iteration', 'change', 'gradient'] as const;
 
 /**
  * Q p = b for a square net of side × side vertices, and the ways to solve it, each a call to be timed from outside. A substitution comes after
- * its factorisation. Sides above 45 are for the sparse calls only: dense matrices of more than 2,025 vertices are too large to be worth waiting for.
+ * its factorisation. On sides above 45 the dense calls do nothing and return false: matrices of more than 2,025 vertices are too large to be worth
+ * waiting for.
  */
 export interface SolvingExample {
   vertex_count(): number;
-  dense_inverse(): void;
-  dense_factorise(): void;
-  dense_substitute(): void;
+  dense_inverse(): boolean;
+  dense_factorise(): boolean;
+  dense_substitute(): boolean;
   sparse_factorise(): void;
   sparse_substitute(): void;
   /** max |Qp − b| of the last substitution, N. */
@@ -227,6 +230,8 @@ export interface SolverModule {
   SolvingExample: new (side: number) => SolvingExample;
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
+  /** Of every Method, likewise. */
+  methods(): string[];
 }
 
 /** The factory that Emscripten generates. `wasmBinary` is handed in so Node, Vitest and browsers load the same file the same way. */
