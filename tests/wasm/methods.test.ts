@@ -183,8 +183,8 @@ test('a change of the method leaves the factor as it is and traces anew', () => 
 });
 
 test('Newton’s method is refused where its factor would not fit', () => {
-  // 1,681 vertices, dense: Q alone takes 22.6 MB, and the Hessian has nine times its entries.
-  const simulation = openSimulation(net(41), { ...usualParameters, storage: 'dense' });
+  // 1,936 vertices, dense: the factor of Q alone takes 30 MB, and that of the Hessian has nine times its entries.
+  const simulation = openSimulation(net(44), { ...usualParameters, storage: 'dense' });
   const refused = { code: 'too_large', field: 'newton', index: -1, value: expect.any(Number), limit: 300e6 };
   expect(simulation.compare('newton', 1)).toEqual({ status: refused, rows: new Float64Array(0) });
   expect(simulation.set_parameters({ ...usualParameters, storage: 'dense', method: 'newton' })).toEqual(refused);

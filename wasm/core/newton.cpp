@@ -1,6 +1,7 @@
 #include "newton.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "backtrack.h"
@@ -30,6 +31,9 @@ Triplets without_held(const Triplets& H, const Indices& pinned, int n) {
   }
   return free;
 }
+
+// Moves of the last digit of p are rounding, and could go on for ever.
+constexpr double resolution = 2 * std::numeric_limits<double>::epsilon();
 
 SparseMatrix hessian_matrix(const NewtonProblem& problem, const Points& p, double left_out) {
   const TimeStep& step = problem.step();
@@ -83,6 +87,7 @@ bool Newton::descend(const NewtonProblem& problem, double left_out, Points& p) {
   x_.resizeLike(p);
   x_.reshaped<Eigen::RowMajor>() = llt_.solve(standing_.gradient.reshaped<Eigen::RowMajor>());
   ++standing_.solves;
+  if (x_.cwiseAbs().maxCoeff() <= resolution * p.cwiseAbs().maxCoeff()) return false;
   const double slope = -inner_product(x_, standing_.gradient);
   if (!(slope < 0)) return false;  // not-a-number where a spring has collapsed
   const auto falls = [&](double alpha, double change) {
