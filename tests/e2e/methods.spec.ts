@@ -105,10 +105,12 @@ test('the comparison follows the time step, and waits while playing', async ({ p
   await expect(page.getByText('Playing: this is time step 4')).toBeVisible();
 });
 
-test('the panel says what a time step and a picture cost', async ({ page }) => {
+test('the panel says what an iteration, a time step and a picture cost', async ({ page }) => {
   await openMoving(page);
   const panel = page.locator('.solver-panel');
+  await expect(panel).toContainText(/the parts of an iteration.*ms.*ms/);
+  await expect(panel).toContainText(/a picture .*ms \/ 17.*ms \(60 Hz\)/);
+  await page.getByRole('button', { name: 'Play' }).click();
   await expect(panel).toContainText(/a time step .*ms \/ 33.*ms \(Δt\)/);
   await expect(panel).toContainText(/6 × local: .*ms.*6 × global: .*ms/);
-  await expect(panel).toContainText(/a picture .*ms \/ 17.*ms \(60 Hz\)/);
 });
