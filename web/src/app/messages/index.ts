@@ -38,9 +38,16 @@ export const language = {
   },
 };
 
+/** Texts without parameters, once looked up: panels show a hundred with every frame, and i18next takes longer for one than its element does. */
+const constants: Record<Language, Map<MessageKey, string>> = { en: new Map(), zh: new Map() };
+
 /** The text for `key` in the language shown, `{{name}}` filled in from `params`. */
-export function t(key: MessageKey, params: TOptions = {}): string {
-  return instance.t(key, { ...params, lng: current.value });
+export function t(key: MessageKey, params?: TOptions): string {
+  const lng = current.value;
+  if (params) return instance.t(key, { ...params, lng });
+  const text = constants[lng].get(key) ?? instance.t(key, { lng });
+  constants[lng].set(key, text);
+  return text;
 }
 
 /** The sentences of scene errors in the language shown, for describeSceneError. */

@@ -4,7 +4,6 @@ import { symbolCommand } from '../../notation/macros.ts';
 import type { SymbolId } from '../../notation/symbols.ts';
 import { Formula } from './formula.tsx';
 import { SymbolLegend } from './symbol_legend.tsx';
-import { symbolsIn } from './symbols_in.ts';
 
 interface Props {
   title: string;
@@ -39,7 +38,7 @@ export function EquationPanel({ title, formulas, known, unknown, active, note, c
               <Formula key={tex} tex={tex} display />
             ))}
           </div>
-          <SymbolLegend ids={symbolsIn(formulas)} />
+          <SymbolLegend formulas={formulas} />
           {note !== null && <p class="equation-note">{note}</p>}
         </div>
         <div class="equation-numbers">{children}</div>

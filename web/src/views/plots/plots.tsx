@@ -1,3 +1,4 @@
+import { useCallback } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { state } from '../../app/state.ts';
@@ -12,6 +13,7 @@ import './plots.css';
 /** One time step in a plot: half-step by half-step, or by every method. */
 export function Plots({ frame, actions }: { frame: Frame; actions: Actions }) {
   const { plot } = state.value.view;
+  const seek = useCallback((half_step: number) => actions.seek(half_step), [actions]);
   return (
     <figure class="objective">
       <figcaption>
@@ -26,11 +28,7 @@ export function Plots({ frame, actions }: { frame: Frame; actions: Actions }) {
           onChoose={(chosen) => actions.setView({ plot: chosen })}
         />
       </figcaption>
-      {plot === 'trace' ? (
-        <ObjectiveChart frame={frame} onSeek={(half_step) => actions.seek(half_step)} />
-      ) : (
-        <ComparisonChart actions={actions} />
-      )}
+      {plot === 'trace' ? <ObjectiveChart frame={frame} onSeek={seek} /> : <ComparisonChart actions={actions} />}
     </figure>
   );
 }

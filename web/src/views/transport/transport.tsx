@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { frame, parameters, playing } from '../../app/state.ts';
-import { Icon, type IconName } from '../../lib/icon.tsx';
+import { Icon } from '../../lib/icon.tsx';
 import type { Frame, Phase } from '../../solver/frame.ts';
 import { placeOf } from '../../solver/read_frame.ts';
 import './transport.css';
@@ -21,26 +21,15 @@ export function Transport({ actions }: { actions: Actions }) {
   return (
     <section class="transport" id="transport" tabIndex={-1} aria-label={t('page.transport.label')}>
       <div class="transport-buttons">
-        <Move icon="reset" name="reset" onClick={() => actions.reset()} />
-        <Move
-          icon="previousStep"
-          name="previousStep"
-          off={f.rememberedSteps === 0}
-          onClick={() => actions.previousStep()}
-        />
-        <Move
-          icon="previousHalfStep"
-          name="previousHalfStep"
-          half
-          off={f.half_step === 0 && f.rememberedSteps === 0}
-          onClick={() => actions.previousHalfStep()}
-        />
+        <Move to="reset" actions={actions} />
+        <Move to="previousStep" off={f.rememberedSteps === 0} actions={actions} />
+        <Move to="previousHalfStep" half off={f.half_step === 0 && f.rememberedSteps === 0} actions={actions} />
         <button type="button" class={`play ${invite ? 'play-invite' : ''}`} onClick={toggle}>
           <Icon name={playing.value ? 'pause' : 'play'} />
           {t(invite ? 'page.transport.inviteToPause' : playing.value ? 'page.transport.pause' : 'page.transport.play')}
         </button>
-        <Move icon="nextHalfStep" name="nextHalfStep" half leadsTo={next} onClick={() => actions.nextHalfStep()} />
-        <Move icon="nextStep" name="nextStep" onClick={() => actions.nextStep()} />
+        <Move to="nextHalfStep" half leadsTo={next} actions={actions} />
+        <Move to="nextStep" actions={actions} />
       </div>
       <div class="transport-place">
         <p class="transport-status" data-testid="status" aria-live={playing.value ? 'off' : 'polite'}>
@@ -95,18 +84,17 @@ function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {
 }
 
 interface MoveProps {
-  icon: IconName;
-  name: 'reset' | 'previousStep' | 'previousHalfStep' | 'nextHalfStep' | 'nextStep';
+  to: 'reset' | 'previousStep' | 'previousHalfStep' | 'nextHalfStep' | 'nextStep';
+  actions: Actions;
   half?: boolean;
   off?: boolean;
-  onClick: () => void;
   /** Said in words beside the icon. */
   leadsTo?: Phase;
 }
 
-function Move({ icon, name, half = false, off = false, onClick, leadsTo }: MoveProps) {
+function Move({ to, actions, half = false, off = false, leadsTo }: MoveProps) {
   const words = leadsTo && t(`page.phase.${leadsTo}`);
-  const label = words ? `${t(`page.transport.${name}`)}: ${words}` : t(`page.transport.${name}`);
+  const label = words ? `${t(`page.transport.${to}`)}: ${words}` : t(`page.transport.${to}`);
   return (
     <button
       type="button"
@@ -114,9 +102,9 @@ function Move({ icon, name, half = false, off = false, onClick, leadsTo }: MoveP
       aria-label={label}
       title={label}
       aria-disabled={off}
-      onClick={off ? undefined : onClick}
+      onClick={off ? undefined : () => actions[to]()}
     >
-      <Icon name={icon} />
+      <Icon name={to} />
       {half && <span class="half-sign" />}
       {words && <span class={`next-phase ${leadsTo}`}>{words}</span>}
     </button>
