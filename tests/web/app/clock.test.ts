@@ -1,20 +1,21 @@
 import { describe, expect, it } from 'vitest';
 import { Clock } from '../../../web/src/app/clock.ts';
 
-/** Steps due over pictures `interval` ms apart, each step costing `cost` ms. */
-function run({
-  interval,
-  pictures,
-  delta_t,
-  cost,
-}: {
+interface Playing {
   interval: number;
   pictures: number;
   delta_t: number;
   cost: number;
-}) {
+  /** Of the interval, what drawing takes by itself. */
+  drawing?: number;
+}
+
+/** Steps due over pictures `interval` ms apart, each step costing `cost` ms. */
+function run({ interval, pictures, delta_t, cost, drawing = 10 }: Playing) {
   const clock = new Clock();
   return Array.from({ length: pictures }, (_, picture) => {
+    clock.drawn(picture * interval - drawing);
+    clock.drawn(picture * interval);
     const steps = clock.due(picture * interval, delta_t);
     if (steps > 0) clock.spent(steps, steps * cost);
     return steps;
@@ -39,6 +40,18 @@ describe('the clock', () => {
     expect(Math.max(...quick) * 5).toBeLessThanOrEqual(Clock.budget_ms.least);
     const slow = run({ interval: 1000, pictures: 50, delta_t: 0.001, cost: 5 }).slice(2);
     expect(Math.max(...slow) * 5).toBeLessThanOrEqual(Clock.budget_ms.most);
+  });
+
+  it('keeps pace, too, where drawing by itself takes long', () => {
+    // 50 pictures of 200 ms are 10 s, or 300 steps of 1/30 s. A picture's six cost more than `most`, but less than drawing it.
+    const steps = run({ interval: 200, pictures: 51, delta_t: 1 / 30, cost: 22, drawing: 200 });
+    expect(6 * 22).toBeGreaterThan(Clock.budget_ms.most);
+    expect(sum(steps)).toBeGreaterThanOrEqual(299);
+  });
+
+  it('does not take a page that was hidden for one that draws slowly', () => {
+    const steps = run({ interval: 60_000, pictures: 10, delta_t: 0.001, cost: 5, drawing: 60_000 }).slice(2);
+    expect(Math.max(...steps) * 5).toBeLessThanOrEqual(Clock.budget_ms.picture);
   });
 
   it('lets a slow machine fall behind instead of owing more and more', () => {

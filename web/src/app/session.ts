@@ -77,6 +77,7 @@ export class Session {
     });
     const tick = (now: number) => {
       requestAnimationFrame(tick);
+      this.clock.drawn(now);
       if (!playing.value) return this.clock.rest();
       if (this.current) return;
       const steps = this.clock.due(now, parameters.value.delta_t);
