@@ -1,7 +1,7 @@
 import { defineConfig } from '@playwright/test';
 import { findChromium } from '../../.scripts/find_command.mjs';
 
-const port = 4180;
+const port = Number(process.env.E2E_PORT ?? 4180);
 const executablePath = findChromium();
 
 export default defineConfig({
