@@ -68,7 +68,7 @@ describe('while the files of a scene are being read', () => {
     vi.stubGlobal('document', { documentElement: {} }); // whose language is set
     frame.value = {} as Frame; // the lab shows something
     const toTheLab = actions.follow({
-      route: { page: 'springs' },
+      route: { page: 'springs', room: null },
       state: { ...state.value, scene: 'flag' },
       problems: [],
     });

@@ -2,10 +2,11 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
+import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
 import { methods } from '../../../web/src/solver/module.ts';
 
-const lab = { page: 'springs' } as const;
+const lab = { page: 'springs', room: null } as const;
 
 const inside = ({ min, max }: { min: number; max: number }) => fc.double({ min, max, noNaN: true });
 const point = fc.tuple(coordinate(), coordinate(), coordinate());
@@ -57,6 +58,16 @@ const states: fc.Arbitrary<AppState> = fc.record({
   theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
 });
 
+describe('the path', () => {
+  it.each([null, ...rooms])('of a room leads to it: %s', (room) => {
+    expect(readPath(pathOf({ page: 'springs', room }))).toEqual({ page: 'springs', room });
+  });
+
+  it.each(['', '#', '#/', '#/springs', '#/springs/'])('of the lab may be short: %j', (path) => {
+    expect(readPath(path)).toEqual(lab);
+  });
+});
+
 describe('the link', () => {
   it('carries every state there and back', () => {
     fc.assert(
@@ -103,6 +114,7 @@ describe('the link', () => {
       'view',
     ],
     ['a page that does not exist', '#/nowhere', '#'],
+    ['a room that does not exist', '#/springs/cellar', '#'],
     ['a version of the future', '#/springs?version=2', 'version'],
     ['a part inherited by every object', '#/springs?toString=1', 'toString'],
   ])('refuses %s', (_, fragment, part) => {

@@ -6,7 +6,7 @@ import { encodeLink, type Link } from './link.ts';
 import type { Language } from './messages/index.ts';
 import { language } from './messages/index.ts';
 import { dismissErrors, notify } from './notices.ts';
-import { route } from './route.ts';
+import { route, springsRoute } from './route.ts';
 import { findScene, openedScenes, openFiles } from './scene_library.ts';
 import { SceneProblem } from './scene_problem.ts';
 import type { Session } from './session.ts';
@@ -214,7 +214,7 @@ export class Actions {
       () => ({ scene: name, ...settings, view: { ...state.value.view, camera: null } }),
       from,
     );
-    if (opened && route.value === asked) route.value = { page: 'springs' };
+    if (opened && route.value === asked) route.value = springsRoute;
   }
 
   /** Gives up what the reader waits for: a scene's files, or else the solver's request. */

@@ -1,4 +1,4 @@
-import { pathOf, type Route, readPath } from './route.ts';
+import { pathOf, type Route, readPath, springsRoute } from './route.ts';
 import { stateSchema } from './schema.ts';
 import { type AppState, defaultState } from './state.ts';
 
@@ -34,11 +34,11 @@ export interface Link {
 /** What a fragment asks for: parts that it does not name, or that do not pass the schema, keep their value in `fallback`. */
 export function decodeLink(fragment: string, fallback: AppState): Link {
   if (fragment.length > longestLink)
-    return { route: { page: 'springs' }, state: fallback, problems: [{ tooLong: fragment.length }] };
+    return { route: springsRoute, state: fallback, problems: [{ tooLong: fragment.length }] };
   const problems: LinkProblem[] = [];
   const path = fragment.split('?')[0];
   const named = readPath(path);
-  const route = named ?? { page: 'springs' };
+  const route = named ?? springsRoute;
   if (!named) problems.push({ part: '#', value: readable(path).slice(0, 60) });
   const state: Record<string, unknown> = { ...fallback };
   const query = fragment.includes('?') ? fragment.slice(fragment.indexOf('?') + 1) : '';

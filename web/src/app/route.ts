@@ -1,20 +1,31 @@
 import { signal } from '@preact/signals';
 
-/** Which page is shown. A lesson without a section opens at its first. */
-export type Route = { page: 'springs' } | { page: 'lesson'; section: string | null };
+/** What of the springs lab is shown instead of its main screen; all see the same simulation. */
+export const rooms = ['matrices', 'convergence', 'misconceptions'] as const;
+export type Room = (typeof rooms)[number];
 
-export const route = signal<Route>({ page: 'springs' });
+/** Which page is shown. A lesson without a section opens at its first, the lab without a room at its main screen. */
+export type Route = { page: 'springs'; room: Room | null } | { page: 'lesson'; section: string | null };
 
+export const springsRoute: Route = { page: 'springs', room: null };
+
+export const route = signal<Route>(springsRoute);
+
+const springs = /^#?\/?$|^#\/springs(?:\/([\w-]+))?\/?$/;
 const lesson = /^#\/lesson(?:\/([\w-]+))?\/?$/;
 
 /** The page that the path of a fragment names; null where there is none such. */
 export function readPath(path: string): Route | null {
-  if (['', '#', '#/', '#/springs'].includes(path)) return { page: 'springs' };
+  const lab = springs.exec(path);
+  if (lab) {
+    const room = rooms.find((name) => name === lab[1]) ?? null;
+    return room === null && lab[1] !== undefined ? null : { page: 'springs', room };
+  }
   const named = lesson.exec(path);
   return named && { page: 'lesson', section: named[1] ?? null };
 }
 
 export function pathOf(to: Route): string {
-  if (to.page === 'springs') return '#/springs';
+  if (to.page === 'springs') return to.room === null ? '#/springs' : `#/springs/${to.room}`;
   return to.section === null ? '#/lesson' : `#/lesson/${to.section}`;
 }

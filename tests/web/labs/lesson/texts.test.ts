@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type Block, parseProse, type Span } from '../../../../web/src/labs/lesson/parse_prose.ts';
 import { sectionIds } from '../../../../web/src/notation/sections.ts';
+import { type Block, parseProse, type Span } from '../../../../web/src/views/equations/parse_prose.ts';
 import { renderTeX } from '../../../../web/src/views/equations/render_tex.ts';
 
 type Texts = { [key: string]: string | Texts };

@@ -28,7 +28,6 @@ export const en = {
     differs: 'They differ: the printed E has another gradient.',
     agrees: 'Here they happen to agree. Let some time pass, or choose a vertex that moves.',
   },
-  chart: { numbers: 'The numbers' },
   figure: {
     springs: 'Springs',
     vertices: 'Vertices',

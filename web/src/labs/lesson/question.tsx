@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
+import { Prose } from '../../views/equations/prose.tsx';
 import { lessonWords } from './lesson_words.ts';
-import { Prose } from './prose.tsx';
 
 interface Props {
   ask: string;

@@ -1,8 +1,8 @@
+import { Prose } from '../../views/equations/prose.tsx';
+import { WideFormula } from '../../views/equations/wide_formula.tsx';
 import type { FigureSession } from './figures/figure_session.ts';
 import { type AtPoint, GradientCheck } from './gradient_check.tsx';
 import { lessonWords } from './lesson_words.ts';
-import { Prose } from './prose.tsx';
-import { WideFormula } from './wide_formula.tsx';
 import './slip.css';
 
 interface Props {

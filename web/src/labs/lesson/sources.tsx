@@ -1,5 +1,5 @@
+import { Phrase } from '../../views/equations/prose.tsx';
 import { lessonWords } from './lesson_words.ts';
-import { Phrase } from './prose.tsx';
 
 /** Where it is written: at the end of every section. */
 export function Sources({ items }: { items: Record<string, string> }) {

@@ -31,7 +31,6 @@ export const zh: Catalogue<typeof en> = {
     differs: '两者不同：原文的 E 有另一个梯度。',
     agrees: '此刻两者恰好相同。让时间前进几步，或换一个在运动的质点。',
   },
-  chart: { numbers: '数据' },
   figure: {
     springs: '弹簧',
     vertices: '质点',

@@ -1,9 +1,9 @@
 import { encodeLink } from '../../app/link.ts';
 import { t } from '../../app/messages/index.ts';
-import { type Route, route } from '../../app/route.ts';
+import { type Route, route, springsRoute } from '../../app/route.ts';
 import { state } from '../../app/state.ts';
 
-const destinations: readonly Route[] = [{ page: 'springs' }, { page: 'lesson', section: null }];
+const destinations: readonly Route[] = [springsRoute, { page: 'lesson', section: null }];
 
 /** From page to page. The lab's link carries its state, so that coming back finds it as it was left. */
 export function PageLinks() {

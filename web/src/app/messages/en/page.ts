@@ -17,6 +17,13 @@ export const page = {
     linkFailed: 'The browser did not allow copying. The link is the address of this page.',
     help: 'Help and keys',
   },
+  rooms: {
+    label: 'Views of this simulation',
+    halfSteps: 'Local and global',
+    matrices: 'Matrices',
+    convergence: 'Convergence',
+    misconceptions: 'Misconceptions',
+  },
   local: {
     name: 'Local',
     tagline: 'every spring alone, at its rest length',

@@ -1,5 +1,6 @@
 export const plots = {
   title: { trace: 'Objective, half-step by half-step', comparison: 'The same time step, by every method' },
+  numbers: 'The numbers',
   choice: 'What the plot shows',
   trace: 'Half-steps',
   byMethods: 'Methods',

@@ -17,6 +17,13 @@ export const page = {
     linkFailed: '浏览器不允许复制。地址栏里的网址就是该链接。',
     help: '帮助与按键',
   },
+  rooms: {
+    label: '本次模拟的各个视图',
+    halfSteps: '局部与全局',
+    matrices: '矩阵',
+    convergence: '收敛',
+    misconceptions: '常见误解',
+  },
   local: {
     name: '局部步',
     tagline: '每根弹簧各自取原长',

@@ -3,6 +3,7 @@ import type { Catalogue } from '../index.ts';
 
 export const plots: Catalogue<typeof en> = {
   title: { trace: '目标函数随半步的变化', comparison: '同一时间步，各种方法' },
+  numbers: '数据',
   choice: '图中内容',
   trace: '半步',
   byMethods: '方法',

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useId, useRef } from 'preact/hooks';
 import { appliedTheme } from '../../../app/preferences.ts';
+import { useWidth } from '../../../lib/use_width.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import { darkPalette, lightPalette } from '../../../views/scene3d/palette.ts';
 import type { Arrows } from './arrows.ts';
@@ -13,7 +14,6 @@ import { Plane } from './plane.ts';
 import { SpringList } from './spring_list.tsx';
 import { springPath } from './spring_path.ts';
 import { type HalfStep, useHalfStep } from './use_half_step.ts';
-import { useWidth } from './use_width.ts';
 import { VertexList } from './vertex_list.tsx';
 import './spring_picture.css';
 

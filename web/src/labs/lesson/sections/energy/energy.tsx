@@ -1,7 +1,7 @@
-import { Prose } from '../../prose.tsx';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { ClosestVector } from './closest_vector.tsx';
 import { en } from './en.ts';
 import { EnergySlice } from './energy_slice.tsx';

@@ -1,6 +1,7 @@
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
 
@@ -32,8 +33,8 @@ export function EnergySlice({ words, caption }: Props) {
           { name: words.energy, points: spring },
           { name: words.parabola, points: parabola },
         ]}
-        x={{ label: words.x, range: [-2, 2] }}
-        y={{ label: words.y, range: [0, 1.5 * k] }}
+        x={{ label: <Phrase text={words.x} />, range: [-2, 2] }}
+        y={{ label: <Phrase text={words.y} />, range: [0, 1.5 * k] }}
         summary={words.summary}
       />
     </Figure>

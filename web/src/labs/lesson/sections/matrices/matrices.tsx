@@ -1,9 +1,9 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { BothSides } from './both_sides.tsx';
 import { en } from './en.ts';
 import { QTerms } from './q_terms.tsx';

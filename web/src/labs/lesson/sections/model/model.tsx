@@ -1,14 +1,14 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatLength, formatQuantity } from '../../../../lib/format.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { MatrixTable } from '../../../../views/matrices/matrix_table.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession, FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { PullTable } from './pull_table.tsx';
 import { zh } from './zh.ts';

@@ -1,14 +1,14 @@
 import { useEffect, useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber, formatQuantity } from '../../../../lib/format.ts';
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import type { FigureSession, FigureSettings } from '../../figures/figure_session.ts';
 import { FigureSlider } from '../../figures/figure_slider.tsx';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { SideBySide } from '../../figures/side_by_side.tsx';
 import { type EnergyCurve, useEnergies } from '../../figures/use_energies.ts';
 import { useFigures } from '../../figures/use_figures.ts';
-import { Phrase } from '../../prose.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { free } from './landscape_grid.ts';
 import { angularFrequency, exploded } from './stability.ts';
@@ -77,8 +77,8 @@ export function ExplicitForces() {
       {explicit.frame.value && <Verdict figure={explicit} />}
       <LineChart
         series={energies.map((points, at) => ({ name: [words.atStart, words.atEnd][at], points }))}
-        x={{ label: words.time, range: [0, duration] }}
-        y={{ label: words.energy, range: [-20, 100] }}
+        x={{ label: <Phrase text={words.time} />, range: [0, duration] }}
+        y={{ label: <Phrase text={words.energy} />, range: [-20, 100] }}
         summary={words.summary}
       />
     </SideBySide>

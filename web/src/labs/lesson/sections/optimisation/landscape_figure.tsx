@@ -1,4 +1,5 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { formatQuantity } from '../../../../lib/format.ts';
 import { symbolCommand } from '../../../../notation/macros.ts';
 import type { Evaluation } from '../../../../solver/protocol.ts';
@@ -6,7 +7,6 @@ import { Formula } from '../../../../views/equations/formula.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { Landscape } from './landscape.tsx';
 import { free, landscapePoints } from './landscape_grid.ts';

@@ -1,10 +1,10 @@
-import { Display } from '../../display.tsx';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { Display } from '../../../../views/equations/display.tsx';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { ExplicitForces } from './explicit_forces.tsx';
 import { LandscapeFigure } from './landscape_figure.tsx';

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import type { FigureSession } from '../../figures/figure_session.ts';
 import { Slip } from '../../slip.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { type PrintedSlip, printedSlips } from './printed_slips.ts';
 import { zh } from './zh.ts';

@@ -1,8 +1,9 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import type { Frame } from '../../../../solver/frame.ts';
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { useInspection } from '../../figures/use_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { free } from './landscape_grid.ts';
 import { zh } from './zh.ts';
@@ -30,8 +31,8 @@ export function TwoWells({ figure }: { figure: FigureSession }) {
     <div class="figure plain-chart">
       <LineChart
         series={[{ name: words.spring, points }]}
-        x={{ label: words.offset, range: [-farthest, farthest] }}
-        y={{ label: words.energy }}
+        x={{ label: <Phrase text={words.offset} />, range: [-farthest, farthest] }}
+        y={{ label: <Phrase text={words.energy} /> }}
         summary={words.summary}
       />
     </div>

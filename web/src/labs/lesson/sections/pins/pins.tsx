@@ -1,11 +1,11 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import type { AtPoint } from '../../gradient_check.tsx';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Slip } from '../../slip.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { ChangeCounters } from './change_counters.tsx';
 import { Eliminated } from './eliminated.tsx';
 import { en } from './en.ts';

@@ -1,8 +1,8 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatFixed } from '../../../../lib/format.ts';
 import { type SolvingCall, solvingCalls } from '../../../../solver/time_solving.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import type { PowerLaw } from './fit_exponent.ts';
 import { zh } from './zh.ts';

@@ -1,7 +1,7 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { PatternPlot } from '../../figures/pattern_plot.tsx';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { cholesky, inverse } from './cholesky.ts';
 import { en } from './en.ts';
 import { nonZeros, smallMatrix } from './small_matrix.ts';

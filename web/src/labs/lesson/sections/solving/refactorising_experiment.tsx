@@ -1,8 +1,8 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber } from '../../../../lib/format.ts';
 import type { RefactorisingTime } from '../../../../solver/time_solving.ts';
-import { inLanguage } from '../../text.ts';
 import { Failure } from '../../timing/failure.tsx';
 import { formatTime } from '../../timing/format_time.ts';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';

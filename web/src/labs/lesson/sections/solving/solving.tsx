@@ -1,10 +1,10 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { InverseExperiment } from './inverse_experiment.tsx';
 import { RefactorisingExperiment } from './refactorising_experiment.tsx';

@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber } from '../../../../lib/format.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
 import { Stepper } from '../../figures/stepper.tsx';
 import { useInspection } from '../../figures/use_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { cholesky } from './cholesky.ts';
 import { en } from './en.ts';
 import { type SmallMatrix, smallMatrix } from './small_matrix.ts';

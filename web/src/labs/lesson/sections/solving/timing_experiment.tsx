@@ -1,8 +1,9 @@
 import { proxy } from 'comlink';
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { type SolvingCall, type SolvingTime, solvingCalls } from '../../../../solver/time_solving.ts';
-import { LineChart, type Series } from '../../figures/line_chart.tsx';
-import { inLanguage } from '../../text.ts';
+import { LineChart, type Series } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import { Failure } from '../../timing/failure.tsx';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';
 import { en } from './en.ts';
@@ -48,8 +49,8 @@ export function TimingExperiment() {
             laws[call],
           ),
         )}
-        x={{ label: words.axes.n, logarithmic: true, range: [10, 20_000] }}
-        y={{ label: words.axes.time, logarithmic: true, range: [1e-4, 1e4] }}
+        x={{ label: <Phrase text={words.axes.n} />, logarithmic: true, range: [10, 20_000] }}
+        y={{ label: <Phrase text={words.axes.time} />, logarithmic: true, range: [1e-4, 1e4] }}
         summary={words.plot}
       />
       <ExponentTable laws={laws} />

@@ -1,7 +1,7 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { t } from '../../../../app/messages/index.ts';
 import { formatQuantity } from '../../../../lib/format.ts';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { grouped } from './grouped.ts';
 import { zh } from './zh.ts';

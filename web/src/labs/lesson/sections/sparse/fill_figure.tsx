@@ -1,9 +1,9 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { noScene } from '../../../../scene/scene.ts';
 import { PatternPlot } from '../../figures/pattern_plot.tsx';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { factorPattern, minimumDegreeOrder, naturalOrder, patternOf, transposed } from './fill_in.ts';
 import { zh } from './zh.ts';

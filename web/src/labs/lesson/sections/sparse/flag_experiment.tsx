@@ -1,9 +1,9 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { findScene } from '../../../../app/scene_library.ts';
 import { parametersOn, pinsOn } from '../../../../app/state.ts';
 import type { Parameters } from '../../../../solver/module.ts';
 import type { SceneTime } from '../../../../solver/time_scene.ts';
-import { inLanguage } from '../../text.ts';
 import { Failure } from '../../timing/failure.tsx';
 import { formatTime } from '../../timing/format_time.ts';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';

@@ -1,6 +1,6 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatLength, formatQuantity } from '../../../../lib/format.ts';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { farthest, type GlobalStep } from './global_step_with.ts';
 import { zh } from './zh.ts';

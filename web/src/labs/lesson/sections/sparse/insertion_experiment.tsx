@@ -1,6 +1,6 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
-import { inLanguage } from '../../text.ts';
 import { movesByInsertion, tripletsOfQ } from './assembly.ts';
 import { en } from './en.ts';
 import { grouped } from './grouped.ts';

@@ -1,14 +1,14 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import type { Frame } from '../../../../solver/frame.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import type { Arrows } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { smallMatrix } from '../solving/small_matrix.ts';
 import { assembled, type Repetition, tripletsOfQ, withZeros } from './assembly.ts';
 import { en } from './en.ts';

@@ -1,15 +1,15 @@
 import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { CodeListing } from '../../../../views/code/code_listing.tsx';
 import type { SourceFile } from '../../../../views/code/sources.ts';
-import { Display } from '../../display.tsx';
+import { Display } from '../../../../views/equations/display.tsx';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { moves } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { zh } from './zh.ts';
 import './tasks.css';

@@ -1,8 +1,8 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { formatFixed } from '../../../../lib/format.ts';
 import { row } from '../../../../lib/vector.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
-import { inLanguage } from '../../text.ts';
 import { acceleration, velocity } from './differences.ts';
 import { en } from './en.ts';
 import { swinging } from './trail.tsx';

@@ -1,13 +1,13 @@
 import { useEffect, useState } from 'preact/hooks';
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatFixed } from '../../../../lib/format.ts';
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase, Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { SideBySide } from '../../figures/side_by_side.tsx';
 import { useEnergies } from '../../figures/use_energies.ts';
 import { useFigures } from '../../figures/use_figures.ts';
-import { Prose } from '../../prose.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { steps } from './steps.ts';
 import { zh } from './zh.ts';
@@ -68,8 +68,8 @@ export function FourSteps() {
       >
         <LineChart
           series={energies.map((points, at) => ({ name: names[at], points }))}
-          x={{ label: words.time, range: [0, duration] }}
-          y={{ label: words.energy, range: [-4, 0] }}
+          x={{ label: <Phrase text={words.time} />, range: [0, duration] }}
+          y={{ label: <Phrase text={words.energy} />, range: [-4, 0] }}
           summary={words.summary}
         />
       </SideBySide>

@@ -1,14 +1,14 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import type { Frame } from '../../../../solver/frame.ts';
 import type { Checkpoint } from '../../../../solver/protocol.ts';
-import { Display } from '../../display.tsx';
+import { Display } from '../../../../views/equations/display.tsx';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import type { Arrows } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { DifferenceTable } from './difference_table.tsx';
 import { straightOn } from './differences.ts';
 import { en } from './en.ts';

@@ -1,5 +1,6 @@
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { useTrajectories } from '../../figures/use_trajectories.ts';
 import type { en } from './en.ts';
 
@@ -19,8 +20,8 @@ export function EnoughRounds({ words }: { words: typeof en.enough }) {
   return (
     <LineChart
       series={[{ name: words.series, points, dots: true }]}
-      x={{ label: words.kappa }}
-      y={{ label: words.rounds }}
+      x={{ label: <Phrase text={words.kappa} /> }}
+      y={{ label: <Phrase text={words.rounds} /> }}
       summary={words.summary}
     />
   );

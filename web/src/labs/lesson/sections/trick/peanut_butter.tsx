@@ -1,6 +1,7 @@
 import { fillTemplate } from '../../../../lib/fill_template.ts';
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { useTrajectories } from '../../figures/use_trajectories.ts';
 import type { en } from './en.ts';
 
@@ -23,8 +24,8 @@ export function PeanutButter({ words }: { words: typeof en.peanut }) {
   return (
     <LineChart
       series={series}
-      x={{ label: words.time, range: [0, steps * delta_t] }}
-      y={{ label: words.height }}
+      x={{ label: <Phrase text={words.time} />, range: [0, steps * delta_t] }}
+      y={{ label: <Phrase text={words.height} /> }}
       summary={words.summary}
     />
   );

@@ -3,11 +3,11 @@ import type { StoppingRule } from '../../../../app/state.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber, formatQuantity } from '../../../../lib/format.ts';
 import type { Frame } from '../../../../solver/frame.ts';
+import { LineChart } from '../../../../views/charts/line_chart.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession, FigureSettings } from '../../figures/figure_session.ts';
-import { LineChart } from '../../figures/line_chart.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Phrase } from '../../prose.tsx';
 import type { en } from './en.ts';
 
 const settings = {
@@ -37,8 +37,8 @@ export function StoppingRules({ words }: { words: typeof en.stop }) {
       </p>
       <LineChart
         series={[{ name: words.curve, points: forcesLeft(frame) }]}
-        x={{ label: words.rounds, range: [0, settings.parameters.iterations] }}
-        y={{ label: words.force, logarithmic: true, range: [1e-3, 1e2] }}
+        x={{ label: <Phrase text={words.rounds} />, range: [0, settings.parameters.iterations] }}
+        y={{ label: <Phrase text={words.force} />, logarithmic: true, range: [1e-3, 1e2] }}
         cursor={frame?.iteration ?? 0}
         summary={words.summary}
       />

@@ -1,13 +1,13 @@
+import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatQuantity } from '../../../../lib/format.ts';
+import { Prose } from '../../../../views/equations/prose.tsx';
 import { moves } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
-import { Prose } from '../../prose.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
-import { inLanguage } from '../../text.ts';
 import { en } from './en.ts';
 import { Energies } from './energies.tsx';
 import { EnoughRounds, tolerance } from './enough_rounds.tsx';

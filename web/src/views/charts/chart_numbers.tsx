@@ -1,5 +1,4 @@
-import { formatNumber } from '../../../lib/format.ts';
-import { Phrase } from '../prose.tsx';
+import { formatNumber } from '../../lib/format.ts';
 import type { ChartAxis, Series } from './line_chart.tsx';
 
 interface Props {
@@ -17,14 +16,10 @@ export function ChartNumbers({ series, x, y }: Props) {
   }));
   return (
     <table>
-      <caption>
-        <Phrase text={y.label} />
-      </caption>
+      <caption>{y.label}</caption>
       <thead>
         <tr>
-          <th scope="col">
-            <Phrase text={x.label} />
-          </th>
+          <th scope="col">{x.label}</th>
           {columns.map(({ name }) => (
             <th key={name} scope="col">
               {name}

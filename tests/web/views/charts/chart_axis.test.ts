@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { rangeOf, share, ticks } from '../../../../../web/src/labs/lesson/figures/chart_axis.ts';
+import { rangeOf, share, ticks } from '../../../../web/src/views/charts/chart_axis.ts';
 
 describe('rangeOf', () => {
   it('goes on to round values', () => {

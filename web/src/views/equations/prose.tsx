@@ -1,8 +1,9 @@
 import type { ComponentChildren } from 'preact';
 import { pathOf } from '../../app/route.ts';
-import { Formula } from '../../views/equations/formula.tsx';
 import { Display } from './display.tsx';
+import { Formula } from './formula.tsx';
 import { type Block, parseProse, type Span } from './parse_prose.ts';
+import './prose.css';
 
 /** Characters of TeX: longer formulas may need to break on a phone. */
 const longestUnbroken = 40;

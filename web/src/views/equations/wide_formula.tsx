@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { Formula } from '../../views/equations/formula.tsx';
+import { Formula } from './formula.tsx';
+import './prose.css';
 
 /** A formula on lines of its own. Where it is wider than its place it scrolls, and then the keyboard can reach it to do so. */
 export function WideFormula({ tex }: { tex: string }) {

@@ -1,12 +1,14 @@
+import type { ComponentChildren } from 'preact';
 import { useId, useRef } from 'preact/hooks';
-import { formatPowerOfTen } from '../../../lib/format.ts';
-import { lessonWords } from '../lesson_words.ts';
-import { Phrase } from '../prose.tsx';
+import { t } from '../../app/messages/index.ts';
+import { formatPowerOfTen } from '../../lib/format.ts';
+import { useWidth } from '../../lib/use_width.ts';
 import { type Range, rangeOf, share, ticks } from './chart_axis.ts';
 import { ChartNumbers } from './chart_numbers.tsx';
-import type { Place } from './plane.ts';
-import { useWidth } from './use_width.ts';
 import './line_chart.css';
+
+/** CSS pixels, y downwards. */
+type Place = readonly [x: number, y: number];
 
 export interface Series {
   name: string;
@@ -20,7 +22,7 @@ export interface Series {
 
 export interface ChartAxis {
   /** One phrase, with the unit. */
-  label: string;
+  label: ComponentChildren;
   logarithmic?: boolean;
   /** Where the values do not say it. */
   range?: readonly [min: number, max: number];
@@ -55,9 +57,7 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
 
   return (
     <figure class="line-chart">
-      <p class="line-chart-label">
-        <Phrase text={y.label} />
-      </p>
+      <p class="line-chart-label">{y.label}</p>
       <div ref={host} style={{ height: `${height}px` }}>
         {width > 0 && (
           <svg viewBox={`0 0 ${width} ${height}`} width={width} height={height} role="img" aria-label={summary}>
@@ -100,9 +100,7 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
           </svg>
         )}
       </div>
-      <p class="line-chart-label line-chart-x">
-        <Phrase text={x.label} />
-      </p>
+      <p class="line-chart-label line-chart-x">{x.label}</p>
       <ul class="line-chart-names">
         {series.map(({ name, dots = false, law }, at) => (
           <li key={name}>
@@ -115,7 +113,7 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
         ))}
       </ul>
       <details class="line-chart-numbers">
-        <summary>{lessonWords().chart.numbers}</summary>
+        <summary>{t('plots.numbers')}</summary>
         <ChartNumbers series={series} x={x} y={y} />
       </details>
     </figure>

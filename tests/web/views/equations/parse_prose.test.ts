@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { parseProse } from '../../../../web/src/labs/lesson/parse_prose.ts';
+import { parseProse } from '../../../../web/src/views/equations/parse_prose.ts';
 
 const { raw } = String;
 const text = (words: string) => ({ kind: 'text', text: words });
