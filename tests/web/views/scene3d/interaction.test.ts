@@ -9,16 +9,10 @@ import { FakeCanvas } from './fake_canvas.ts';
 const points = Float64Array.of(-0.4, 0, 0, 0, 0, 0, 0.4, 0, 0);
 const rectangle = { x: 0, y: 0, width: 400, height: 300 };
 const view: DrawnView = {
-  name: 'global',
   rectangle,
   points,
   springEnds: () => Float32Array.of(-0.4, 0, 0, 0, 0, 0, 0, 0, 0, 0.4, 0, 0),
   frame: {
-    phase: 'accept',
-    p: points,
-    pBefore: points,
-    d: null,
-    prediction: points,
     pinned: Int32Array.of(0),
     targets: points.slice(0, 3),
   },
@@ -57,8 +51,8 @@ function placeOf(x: number, y: number, z: number): [number, number] {
 
 describe('pick', () => {
   it('finds a vertex, a spring, or nothing', () => {
-    expect(interaction.pick(...placeOf(0, 0, 0), 'mouse')).toEqual({ view: 'global', kind: 'vertex', index: 1 });
-    expect(interaction.pick(...placeOf(0.2, 0, 0), 'mouse')).toEqual({ view: 'global', kind: 'spring', index: 1 });
+    expect(interaction.pick(...placeOf(0, 0, 0), 'mouse')).toEqual({ kind: 'vertex', index: 1 });
+    expect(interaction.pick(...placeOf(0.2, 0, 0), 'mouse')).toEqual({ kind: 'spring', index: 1 });
     expect(interaction.pick(...placeOf(0, 0.5, 0), 'mouse')).toBeNull();
   });
 
@@ -104,7 +98,7 @@ describe('a tap', () => {
 
   it('selects, pins included, and on nothing clears the selection', () => {
     tap(placeOf(-0.4, 0, 0));
-    expect(callbacks.onSelect).toHaveBeenLastCalledWith({ view: 'global', kind: 'vertex', index: 0 });
+    expect(callbacks.onSelect).toHaveBeenLastCalledWith({ kind: 'vertex', index: 0 });
     expect(callbacks.onDragEnd).not.toHaveBeenCalled();
     tap(placeOf(0, 0.5, 0));
     expect(callbacks.onSelect).toHaveBeenLastCalledWith(null);
@@ -123,7 +117,7 @@ describe('hovering', () => {
     const [x, y] = placeOf(0, 0, 0);
     canvas.send('pointermove', x, y);
     canvas.send('pointermove', x + 1, y);
-    expect(callbacks.onHover).toHaveBeenCalledExactlyOnceWith({ view: 'global', kind: 'vertex', index: 1 });
+    expect(callbacks.onHover).toHaveBeenCalledExactlyOnceWith({ kind: 'vertex', index: 1 });
     canvas.send('pointermove', ...placeOf(0, 0.5, 0));
     expect(callbacks.onHover).toHaveBeenCalledTimes(2);
     expect(callbacks.onHover).toHaveBeenLastCalledWith(null);

@@ -3,17 +3,16 @@ import { Gestures } from './gestures.ts';
 import type { OrbitCamera } from './orbit_camera.ts';
 import { nearestPoint, nearestSegment, tolerancesFor } from './picking.ts';
 import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';
-import type { Hit, Rectangle, Scene3DCallbacks, Scene3DFrame, ViewName } from './types.ts';
+import type { CanvasCallbacks, Hit, Rectangle, Scene3DFrame } from './types.ts';
 
 /** A view as it was last drawn, for pointers to find things in. */
 export interface DrawnView {
-  name: ViewName;
   rectangle: Rectangle;
   /** #V×3, metres. */
   points: Float64Array;
   /** #E×6, metres: both ends of every spring. */
   springEnds(): Float32Array;
-  frame: Scene3DFrame;
+  frame: Pick<Scene3DFrame, 'pinned' | 'targets'>;
   /** CSS pixels of a typical spring. */
   springPixels: number;
 }
@@ -36,7 +35,7 @@ export class Interaction {
   private readonly canvas: HTMLCanvasElement;
   private readonly orbitCamera: OrbitCamera;
   private readonly viewAt: (x: number, y: number) => DrawnView | null;
-  private readonly callbacks: Scene3DCallbacks;
+  private readonly callbacks: CanvasCallbacks;
   private held: Held | null = null;
   private readonly gestures: Gestures;
 
@@ -44,7 +43,7 @@ export class Interaction {
     canvas: HTMLCanvasElement,
     orbitCamera: OrbitCamera,
     viewAt: (x: number, y: number) => DrawnView | null,
-    callbacks: Scene3DCallbacks,
+    callbacks: CanvasCallbacks,
   ) {
     this.canvas = canvas;
     this.orbitCamera = orbitCamera;
@@ -80,12 +79,12 @@ export class Interaction {
     const view = this.viewAt(x, y);
     if (!view) return null;
     const pin = this.pickPin(view, x, y, pointerType);
-    if (pin !== null) return { view: view.name, kind: 'vertex', index: view.frame.pinned[pin] };
+    if (pin !== null) return { kind: 'vertex', index: view.frame.pinned[pin] };
     const tolerance = tolerancesFor(pointerType, view.springPixels);
     const vertex = nearestPoint(this.onScreen(view, view.points), x, y, tolerance.vertex);
-    if (vertex !== null) return { view: view.name, kind: 'vertex', index: vertex };
+    if (vertex !== null) return { kind: 'vertex', index: vertex };
     const spring = nearestSegment(this.onScreen(view, view.springEnds()), x, y, tolerance.spring);
-    return spring === null ? null : { view: view.name, kind: 'spring', index: spring };
+    return spring === null ? null : { kind: 'spring', index: spring };
   }
 
   private pickPin(view: DrawnView, x: number, y: number, pointerType: string): number | null {
@@ -141,7 +140,7 @@ export class Interaction {
     const hit = place && this.pick(place.x, place.y, 'mouse');
     const before = this.hovered;
     this.hovered = hit;
-    if (hit?.view === before?.view && hit?.kind === before?.kind && hit?.index === before?.index) return;
+    if (hit?.kind === before?.kind && hit?.index === before?.index) return;
     this.canvas.style.cursor = hit ? 'pointer' : '';
     this.callbacks.onHover(hit);
   }

@@ -40,12 +40,12 @@ export interface Scene3DLegend {
 }
 
 export interface Hit {
-  view: ViewName;
   kind: 'vertex' | 'spring';
   index: number;
 }
 
-export interface Scene3DCallbacks {
+/** What a canvas with views tells. */
+export interface CanvasCallbacks {
   /** Something changed that only `render()` will show: call it in the next animation frame. */
   onInvalidate(): void;
   /** What a mouse rests on has changed. */
@@ -59,8 +59,11 @@ export interface Scene3DCallbacks {
   onDrag(vertex: number, target: Float64Array): void;
   onDragEnd(vertex: number): void;
   onCameraChange(camera: Camera): void;
-  onLegend(legend: Scene3DLegend): void;
   onContextLost(): void;
+}
+
+export interface Scene3DCallbacks extends CanvasCallbacks {
+  onLegend(legend: Scene3DLegend): void;
 }
 
 /** CSS pixels from the canvas's top left corner. */

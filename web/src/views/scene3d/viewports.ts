@@ -1,25 +1,19 @@
-import type { Rectangle, ViewName } from './types.ts';
+import type { Rectangle } from './types.ts';
 
 export interface Viewport {
-  name: ViewName;
+  name: string;
   rectangle: Rectangle;
 }
 
-/** Where the two views lie on the canvas. What has no area is not shown. */
+/** Where the views lie on the canvas. What has no area is not shown. */
 export class Viewports {
   readonly shown: readonly Viewport[];
 
-  constructor(local: Rectangle | null, global: Rectangle | null) {
-    const all = [
-      { name: 'local', rectangle: local },
-      { name: 'global', rectangle: global },
-    ] as const;
-    this.shown = all.flatMap(({ name, rectangle }) => {
-      return rectangle && rectangle.width > 0 && rectangle.height > 0 ? [{ name, rectangle }] : [];
-    });
+  constructor(all: readonly Viewport[]) {
+    this.shown = all.filter(({ rectangle: { width, height } }) => width > 0 && height > 0);
   }
 
-  named(name: ViewName): Viewport | undefined {
+  named(name: string): Viewport | undefined {
     return this.shown.find((viewport) => viewport.name === name);
   }
 
