@@ -1,5 +1,7 @@
 /** Hand-written types of the WebAssembly module (Debian's Emscripten has no --emit-tsd); tests/wasm/module.test.ts holds them to the real one. */
 
+import type { MistakenSimulation } from './mistaken_simulation.ts';
+
 /** The names of StatusCode in wasm/core/status.h, same spelling, same order. */
 export const statusCodes = [
   'ok',
@@ -77,6 +79,15 @@ export interface Triplets {
   i: Int32Array;
   j: Int32Array;
   value: Float64Array;
+}
+
+/** E(p) and its terms, J. */
+export interface Objective {
+  objective: number;
+  potential: number;
+  inertia: number;
+  external: number;
+  pin: number;
 }
 
 /** The parts of row i of Q p = b, b = k Aᵀ d + y, for the d and p of the cursor. Each #3. */
@@ -179,13 +190,7 @@ export interface Simulation {
   Q(): Triplets;
   y(): Float64Array;
   /** E(p) of the current time step at any p (#V×3), with its terms: objective, potential, inertia, external, pin. */
-  objective_at(p: Float64Array): {
-    objective: number;
-    potential: number;
-    inertia: number;
-    external: number;
-    pin: number;
-  };
+  objective_at(p: Float64Array): Objective;
   /** #V×3: ∂E/∂p at any p. */
   gradient_at(p: Float64Array): Float64Array;
   /** Releases the memory. One owner calls it once. */
@@ -227,11 +232,13 @@ export interface SolvingExample {
 
 export interface SolverModule {
   Simulation: new () => Simulation;
+  MistakenSimulation: new () => MistakenSimulation;
   SolvingExample: new (side: number) => SolvingExample;
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
-  /** Of every Method, likewise. */
+  /** Of every Method and every Mistake, likewise. */
   methods(): string[];
+  mistakes(): string[];
 }
 
 /** The factory that Emscripten generates. `wasmBinary` is handed in so Node, Vitest and browsers load the same file the same way. */
