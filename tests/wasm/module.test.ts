@@ -58,6 +58,7 @@ const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Nam
   targets: [[], Float64Array.of(0, 0, 0)],
   trace: [[], doubles],
   probe_vertex: [[1], { y: vector, kAtd: vector, b: vector, Qp: vector }],
+  energy: [[], { kinetic: number, springs: number, external: number }],
   stiffness_number: [[], number],
   factorisation_count: [[], number],
   factorisation_reason: [[], 'scene'],

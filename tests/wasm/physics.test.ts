@@ -97,3 +97,16 @@ test('wind repeats: it depends on the simulated time alone', () => {
   expect(blown()).toEqual(blown());
   expect(blown().some((coordinate, c) => c % 3 === 2 && coordinate !== 0)).toBe(true);
 });
+
+test('energy is that of the settled positions: what a time step ends with, the next one begins with', () => {
+  const simulation = openSimulation(net(4), usualParameters);
+  for (let step = 0; step < 5; step++) expectOk(simulation.step());
+  const ended = simulation.energy();
+  expect(ended.kinetic).toBeGreaterThan(0);
+  const { potential, external } = simulation.objective_at(simulation.p().slice());
+  expect([ended.springs, ended.external]).toEqual([potential, external]);
+  expectOk(simulation.next_step());
+  expect(simulation.energy()).toEqual(ended);
+  expectOk(simulation.seek(5)); // inside a time step nothing is settled yet
+  expect(simulation.energy()).toEqual(ended);
+});

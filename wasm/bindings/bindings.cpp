@@ -156,6 +156,11 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("external", &Objective::external)
       .field("pin", &Objective::pin);
 
+  value_object<MechanicalEnergy>("MechanicalEnergy")
+      .field("kinetic", &MechanicalEnergy::kinetic)
+      .field("springs", &MechanicalEnergy::springs)
+      .field("external", &MechanicalEnergy::external);
+
   using S = Simulation;
   class_<S>("Simulation")
       .constructor<>()
@@ -219,6 +224,7 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "trace", +[](const S& s) { return lend(s.trace().rows()); })
       .function("probe_vertex", &probe)
+      .function("energy", &S::energy)
       .function("stiffness_number", &S::stiffness_number)
       .function("factorisation_count", &S::factorisation_count)
       .function("factorisation_reason", &S::factorisation_reason)

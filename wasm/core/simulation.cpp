@@ -388,6 +388,13 @@ void Simulation::rehearse_global_step(int times) {
   if (has_scene()) system_.rehearse_global_step(state_.time_step, times);
 }
 
+MechanicalEnergy Simulation::energy() const {
+  const TimeStep& step = state_.time_step;
+  if (!has_scene()) return {};
+  return at_accept() ? mechanical_energy(step, cursor_.iterate.p, step.p_curr)
+                     : mechanical_energy(step, step.p_curr, step.p_prev);
+}
+
 double Simulation::stiffness_number() const {
   const TimeStep& step = state_.time_step;
   return has_scene() ? stiffness_numbers(step.E, step.k, step.m, step.delta_t).maxCoeff() : 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "history.h"
+#include "mechanical_energy.h"
 #include "minimiser.h"
 #include "objective.h"
 #include "parameters.h"
@@ -69,6 +70,8 @@ class Simulation {
   /// So many local or global steps from p^t whose results nobody uses: to be timed.
   void rehearse_local_step(int times);
   void rehearse_global_step(int times);
+  /// Of the settled positions: at accept p, elsewhere p^t.
+  MechanicalEnergy energy() const;
   double stiffness_number() const;
   /// Without those of calls that failed.
   int factorisation_count() const { return factorisation_count_; }

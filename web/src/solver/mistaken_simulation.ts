@@ -1,4 +1,4 @@
-import type { Objective, Parameters, Status } from './module.ts';
+import type { MechanicalEnergy, Objective, Parameters, Status } from './module.ts';
 
 /** The names of Mistake in wasm/core/mistake.h, same spelling, same order. */
 export const mistakes = [
@@ -56,10 +56,14 @@ export interface MistakenSimulation {
   p(): Float64Array;
   p_curr(): Float64Array;
   p_prev(): Float64Array;
+  /** #E, m: rest lengths. */
+  r(): Float64Array;
   /** #V: masses in use (scene × mass_scale). */
   m(): Float64Array;
   /** The right E(p) of the current time step, whatever the mistaken one lowers; not-a-numbers where p is not #V×3. */
   objective_at(p: Float64Array): Objective;
+  /** As Simulation's: of the settled positions. */
+  energy(): MechanicalEnergy;
 
   /** Of Q, since set_scene. */
   factorisation_count(): number;

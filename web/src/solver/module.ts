@@ -90,6 +90,15 @@ export interface Objective {
   pin: number;
 }
 
+/** Of masses on springs, J. A motion without loss keeps the sum. */
+export interface MechanicalEnergy {
+  /** ½ Σ m_i ‖v_i‖², v the change of the positions in a time step over Δt. */
+  kinetic: number;
+  springs: number;
+  /** −Σ p_iᵀ f_i^ext: of gravity, and of wind as if it blew on as now. */
+  external: number;
+}
+
 /** The parts of row i of Q p = b, b = k Aᵀ d + y, for the d and p of the cursor. Each #3. */
 export interface VertexProbe {
   y: number[];
@@ -176,6 +185,8 @@ export interface Simulation {
   rehearse_local_step(times: number): void;
   rehearse_global_step(times: number): void;
   probe_vertex(i: number): VertexProbe;
+  /** Of the settled positions: at accept p, elsewhere p^t. */
+  energy(): MechanicalEnergy;
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;
   /** Without those of calls that failed. */

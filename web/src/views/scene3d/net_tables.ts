@@ -14,7 +14,7 @@ export class NetTables {
     this.springs.set(E);
   }
 
-  setPins({ pinned, targets }: Scene3DFrame): void {
+  setPins({ pinned, targets }: Pick<Scene3DFrame, 'pinned' | 'targets'>): void {
     const rows = this.pins.write(pinned.length);
     pinned.forEach((vertex, row) => {
       rows[2 * row] = vertex;

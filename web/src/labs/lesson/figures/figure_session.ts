@@ -1,5 +1,6 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { Clock } from '../../../app/clock.ts';
+import { type Explanation, explanationOf } from '../../../app/explanation.ts';
 import type { Figure } from '../../../app/figure.ts';
 import type { MessageKey } from '../../../app/messages/index.ts';
 import { refusalParams } from '../../../app/refusal_params.ts';
@@ -8,7 +9,6 @@ import { type Adjustable, type AppState, type Pin, parametersOn, pinsOn, type Se
 import { noScene, type Scene } from '../../../scene/scene.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import type { Checkpoint, Command, Inspection, Opened, Outcome, Request } from '../../../solver/protocol.ts';
-import { type Explanation, explanationOf } from './explanation.ts';
 import { FigureTimeline, type Move } from './figure_timeline.ts';
 import type { LessonSolver, Moment } from './lesson_solver.ts';
 import type { PlanarScene } from './planar_scenes.ts';

@@ -1,9 +1,9 @@
 import { useEffect, useState } from 'preact/hooks';
+import { notifyOf } from '../../../app/explanation.ts';
 import { findScene, type librarySceneNames } from '../../../app/scene_library.ts';
 import { parametersOn, pinsOn } from '../../../app/state.ts';
 import type { Scene } from '../../../scene/scene.ts';
 import type { Inspection } from '../../../solver/protocol.ts';
-import { notifyOf } from './explanation.ts';
 import { lessonSolver } from './lesson_solver.ts';
 
 export interface InspectedScene extends Inspection {

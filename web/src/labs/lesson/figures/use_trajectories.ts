@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
+import { notifyOf } from '../../../app/explanation.ts';
 import type { Frame } from '../../../solver/frame.ts';
-import { notifyOf } from './explanation.ts';
 import type { FigureSettings } from './figure_session.ts';
 import { lessonSolver } from './lesson_solver.ts';
 import { trajectory } from './trajectory.ts';

@@ -1,8 +1,8 @@
-import type { MessageKey } from '../../../app/messages/index.ts';
-import { notify } from '../../../app/notices.ts';
-import { Obstacle } from '../../../app/obstacle.ts';
-import { SceneProblem } from '../../../app/scene_problem.ts';
-import { SolverCrash } from '../../../solver/client.ts';
+import { SolverCrash } from '../solver/client.ts';
+import type { MessageKey } from './messages/index.ts';
+import { notify } from './notices.ts';
+import { Obstacle } from './obstacle.ts';
+import { SceneProblem } from './scene_problem.ts';
 
 /** A sentence of the catalogues. */
 export interface Explanation {

@@ -1,0 +1,208 @@
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
+import { type Remote, wrap } from 'comlink';
+import { noScene, type Scene } from '../scene/scene.ts';
+import { SolverCrash } from '../solver/client.ts';
+import type { MechanicalEnergy, Parameters } from '../solver/module.ts';
+import type { Checkpoint, Outcome, Pins } from '../solver/protocol.ts';
+import type { OpenedSideBySide, SideBySideService, Variant, VariantState } from '../solver/side_by_side.ts';
+import { Clock } from './clock.ts';
+import { notifyOf } from './explanation.ts';
+import type { MessageKey } from './messages/index.ts';
+import { notify } from './notices.ts';
+import { Obstacle } from './obstacle.ts';
+import { refusalParams } from './refusal_params.ts';
+import { fetchSolver } from './start_solver.ts';
+
+/** What all variants have in common. */
+export interface CommonStart {
+  scene: Scene;
+  pins: Pins;
+  /** Null: at rest. */
+  from: Checkpoint | null;
+}
+
+/** How long a curve stands while it grows. */
+const legible_ms = 200;
+
+/** Several variants of one simulation on one clock, in a worker of their own: pins that are moved move for all. Nothing of it reaches the lab's solver. */
+export class SideBySide {
+  readonly scene = signal<Scene>(noScene);
+  /** #E, m: rest lengths. */
+  readonly r = signal<Float64Array>(new Float64Array(0));
+  /** One for each variant, in their order; null before they are open. */
+  readonly states = signal<readonly VariantState[] | null>(null);
+  /** Of each variant, after every time step since the start, J. While time runs not at every picture, because nobody reads so fast. */
+  readonly energies = signal<readonly (readonly MechanicalEnergy[])[]>([]);
+  /** Time steps made since the start. */
+  readonly step = signal(0);
+  readonly pins = signal<Pins>({ pinned: new Int32Array(), targets: new Float64Array() });
+  readonly playing = signal(false);
+  /** The pin that the reader holds: time runs as long as it is held. */
+  readonly held = signal<number | null>(null);
+  /** Whether there is something still able to move. */
+  readonly alive = computed(() => this.states.value?.some(({ failure }) => failure === null) ?? false);
+
+  private readonly running = computed(() => this.alive.value && (this.playing.value || this.held.value !== null));
+  private readonly createWorker: () => Worker;
+  private readonly clock = new Clock();
+  private worker: Worker | null = null;
+  private service: Promise<Remote<SideBySideService>> | null = null;
+  /** Ends the wait for an answer that will not come. */
+  private fail: (reason: Error) => void = () => {};
+  private start: (CommonStart & { variants: readonly Variant[] }) | null = null;
+  private history: MechanicalEnergy[][] = [];
+  private legibleSince = Number.NEGATIVE_INFINITY;
+  private busy = false;
+
+  constructor(createWorker: () => Worker = sideBySideWorker) {
+    this.createWorker = createWorker;
+  }
+
+  /** Begins to follow the display's refresh. Returns how to stop, which ends the worker. */
+  follow(): () => void {
+    let asked = 0;
+    const tick = (now: number) => {
+      asked = requestAnimationFrame(tick);
+      this.clock.drawn(now);
+      const steps = this.busy ? 0 : this.clock.due(now, this.parameters.delta_t);
+      if (steps > 0) void this.run(steps);
+    };
+    const stop = effect(() => {
+      cancelAnimationFrame(asked);
+      this.clock.rest();
+      if (this.running.value) asked = requestAnimationFrame(tick);
+      else untracked(() => this.publish());
+    });
+    return () => {
+      stop();
+      cancelAnimationFrame(asked);
+      this.end();
+    };
+  }
+
+  /** Replaces all variants; false when one is refused, after a word about it. The first one's Δt is the clock's. */
+  async open(variants: readonly Variant[], start: CommonStart): Promise<boolean> {
+    const { scene, pins, from } = start;
+    const outcome = await this.ask<Outcome<OpenedSideBySide>>(async (service) =>
+      service.open(problemOf(scene), variants, pins, from),
+    );
+    if (outcome === null) return false;
+    if (!outcome.ok) {
+      const { status } = outcome;
+      notify('error', `page.errors.${status.code}` as MessageKey, refusalParams(status));
+      return false;
+    }
+    this.start = { ...start, variants };
+    this.take(outcome.value);
+    return true;
+  }
+
+  /** Back to where all began, with the pins as they were there. */
+  async reset(): Promise<void> {
+    this.playing.value = false;
+    if (this.start) await this.open(this.start.variants, this.start);
+  }
+
+  /** So many time steps at once. */
+  async run(steps: number): Promise<void> {
+    if (this.busy || !this.states.value) return;
+    const states = await this.ask<VariantState[]>(async (service) => service.run(this.pins.value, steps));
+    if (!states) return;
+    const milliseconds = states.reduce((sum, one) => sum + one.milliseconds, 0);
+    this.clock.spent(1, milliseconds);
+    states.forEach(({ energies }, at) => {
+      this.history[at].push(...energies);
+    });
+    batch(() => {
+      this.states.value = states;
+      this.step.value += steps;
+      if (!this.running.value || performance.now() >= this.legibleSince + legible_ms) this.publish();
+    });
+  }
+
+  /** In all variants. */
+  movePin(vertex: number, target: ArrayLike<number>): void {
+    const { pinned, targets } = this.pins.value;
+    const row = pinned.indexOf(vertex);
+    if (row < 0) return;
+    const moved = targets.slice();
+    moved.set(target, 3 * row);
+    this.pins.value = { pinned, targets: moved };
+  }
+
+  private get parameters(): Parameters {
+    const { variants } = this.start as NonNullable<typeof this.start>; // asked for only while something runs
+    return variants[0].parameters;
+  }
+
+  private take({ states, r }: OpenedSideBySide): void {
+    const { scene, pins } = this.start as CommonStart;
+    this.history = states.map(() => []);
+    this.clock.reset();
+    batch(() => {
+      this.scene.value = scene;
+      this.r.value = r;
+      this.pins.value = pins;
+      this.states.value = states;
+      this.step.value = 0;
+      this.publish();
+    });
+  }
+
+  private publish(): void {
+    this.legibleSince = performance.now();
+    this.energies.value = this.history.map((curve) => curve.slice());
+  }
+
+  /** Null when there was no answer, after a word about it; the next request finds a new worker. */
+  private async ask<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
+    this.busy = true;
+    try {
+      const answer = this.ready().then(request);
+      const lost = new Promise<never>((_, reject) => {
+        this.fail = reject;
+      });
+      return await Promise.race([answer, lost]);
+    } catch (reason) {
+      if (reason !== ended) notifyOf(reason instanceof Obstacle ? reason : new SolverCrash((reason as Error).message));
+      this.end();
+      return null;
+    } finally {
+      this.busy = false;
+    }
+  }
+
+  private ready(): Promise<Remote<SideBySideService>> {
+    this.service ??= (async () => {
+      const wasmBinary = await fetchSolver();
+      const worker = this.createWorker();
+      this.worker = worker;
+      worker.addEventListener('error', ({ message }) => this.fail(new Error(message)));
+      const service = wrap<SideBySideService>(worker);
+      await service.start(wasmBinary);
+      return service;
+    })();
+    return this.service;
+  }
+
+  private end(): void {
+    this.fail(ended);
+    this.worker?.terminate();
+    this.worker = null;
+    this.service = null;
+    batch(() => {
+      this.playing.value = false;
+      this.states.value = null;
+    });
+  }
+}
+
+const ended = new Error('ended');
+
+function sideBySideWorker(): Worker {
+  return new Worker(new URL('../solver/side_by_side_worker.ts', import.meta.url), { type: 'module' });
+}
+
+function problemOf({ V, E, m }: Scene) {
+  return { V, E, m };
+}
