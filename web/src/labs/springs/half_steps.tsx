@@ -12,8 +12,8 @@ import { Plots } from '../../views/plots/plots.tsx';
 import { SolverPanel } from '../../views/solver_panel/solver_panel.tsx';
 import { Transport } from '../../views/transport/transport.tsx';
 import { InCode } from './in_code.tsx';
+import { LabPinHandle } from './lab_pin_handle.tsx';
 import { GlobalLegend, LocalLegend } from './legends.tsx';
-import { PinHandle } from './pin_handle.tsx';
 import { Stage } from './stage.tsx';
 import { scene3D } from './stage_signals.ts';
 import './half_steps.css';
@@ -52,7 +52,7 @@ export function HalfSteps({ actions }: { actions: Actions }) {
             <InCode files={globalFiles} />
           </div>
         </section>
-        <PinHandle actions={actions} />
+        <LabPinHandle actions={actions} />
         <button
           type="button"
           class="fit"

@@ -8,6 +8,7 @@ import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
 import { appliedTheme } from '../../app/preferences.ts';
 import { labFigure, liveFrame, r, scene, state } from '../../app/state.ts';
+import { followLayout } from '../../views/scene3d/follow_layout.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
 import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
@@ -35,7 +36,10 @@ export function Stage({ actions }: { actions: Actions }) {
       },
     });
     scene3D.value = view;
-    const stopFollowing = followLayout(element, view);
+    const stopFollowing = followLayout(element, viewsOf(element), (origin, [local, global]) => {
+      canvasOrigin.value = origin;
+      view.setViewports(local, global);
+    });
     return () => {
       stopFollowing();
       cancelAnimationFrame(drawing);
@@ -123,34 +127,7 @@ function positionOf(vertex: number): [number, number, number] {
   return [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
 }
 
-/**
- * Lays the canvas over the page's two views, and no farther: what stands below them changes its height with every half-step, and a canvas that
- * changes its size flickers. Tells the 3D view where on it they are. Returns how to stop.
- */
-function followLayout(canvas: HTMLCanvasElement, view: Scene3D): () => void {
+function viewsOf(canvas: HTMLCanvasElement): readonly Element[] {
   const stage = canvas.parentElement as HTMLElement;
-  const elements = (['local', 'global'] as const).map(
-    (name) => stage.querySelector(`[data-view="${name}"]`) as HTMLElement,
-  );
-  const places = () => {
-    const origin = stage.getBoundingClientRect();
-    const [local, global] = elements.map((element) => element.getBoundingClientRect());
-    const x = Math.floor(local.left - origin.left);
-    const y = Math.floor(local.top - origin.top);
-    canvas.style.left = `${x}px`;
-    canvas.style.top = `${y}px`;
-    canvas.style.width = `${Math.ceil(global.right - origin.left) - x}px`;
-    canvas.style.height = `${Math.ceil(global.bottom - origin.top) - y}px`;
-    canvasOrigin.value = { x, y };
-    const onCanvas = ({ left, top, width, height }: DOMRect) => ({
-      x: left - origin.left - x,
-      y: top - origin.top - y,
-      width,
-      height,
-    });
-    view.setViewports(onCanvas(local), onCanvas(global));
-  };
-  const observer = new ResizeObserver(places);
-  for (const element of [stage, ...elements]) observer.observe(element);
-  return () => observer.disconnect();
+  return (['local', 'global'] as const).map((name) => stage.querySelector(`[data-view="${name}"]`) as HTMLElement);
 }

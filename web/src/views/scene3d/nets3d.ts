@@ -6,7 +6,7 @@ import { NetTables } from './net_tables.ts';
 import { lightPalette, type Palette } from './palette.ts';
 import { stageOf } from './stages.ts';
 import { strokesFor } from './strokes.ts';
-import type { CanvasCallbacks, Rectangle, Scene3DModel } from './types.ts';
+import type { CanvasCallbacks, Rectangle, Scene3DModel, ScreenPoint } from './types.ts';
 
 /** Where the nets are; nobody changes the arrays. */
 export interface NetsFrame {
@@ -21,8 +21,6 @@ export interface NetsOptions {
   showSprings: boolean;
   showSurface: boolean;
   palette: Palette;
-  /** In every view. */
-  selected: Selection;
 }
 
 const nothing: Selection = { spring: null, vertex: null };
@@ -33,7 +31,7 @@ export class Nets3D {
   private readonly callbacks: CanvasCallbacks;
   private content: NetsContent | null = null;
   private frame: NetsFrame | null = null;
-  private options: NetsOptions = { showSprings: true, showSurface: true, palette: lightPalette, selected: nothing };
+  private options: NetsOptions = { showSprings: true, showSurface: true, palette: lightPalette };
 
   constructor(canvas: HTMLCanvasElement, callbacks: CanvasCallbacks) {
     this.callbacks = callbacks;
@@ -67,8 +65,8 @@ export class Nets3D {
     this.canvas.render(this.options.palette.background);
   }
 
-  setCamera(state: Camera): void {
-    this.canvas.camera = state;
+  get camera(): Camera {
+    return this.canvas.camera;
   }
 
   /** Brings into view where the first net and the pins are now. */
@@ -76,14 +74,9 @@ export class Nets3D {
     this.canvas.fit();
   }
 
-  /** Radians. */
-  orbit(azimuth: number, polar: number): void {
-    this.canvas.orbit(azimuth, polar);
-  }
-
-  /** Nearer by a factor over 1. */
-  zoom(factor: number): void {
-    this.canvas.zoom(factor);
+  /** CSS pixels of the canvas at which a net's view shows a vertex; null when it is behind the camera. */
+  projectToScreen(vertex: number, net: number): ScreenPoint | null {
+    return this.canvas.projectToScreen(vertex, String(net));
   }
 
   dispose(): void {
@@ -125,11 +118,7 @@ class NetsContent {
     this.typicalRestLength = quantile(model.r.length, (e) => model.r[e], 0.5);
   }
 
-  refresh(
-    frame: NetsFrame,
-    { palette, showSprings, showSurface, selected }: NetsOptions,
-    pixelsPerMetre: number,
-  ): void {
+  refresh(frame: NetsFrame, { palette, showSprings, showSurface }: NetsOptions, pixelsPerMetre: number): void {
     const strokes = strokesFor(this.typicalRestLength * pixelsPerMetre);
     const { pinned, targets } = frame;
     if (frame !== this.shown) this.tables.setPins(frame);
@@ -138,7 +127,7 @@ class NetsContent {
       const still = { phase: 'accept', p, pBefore: p, d: null, prediction: p, pinned, targets } as const;
       if (frame !== this.shown) view.update(stageOf(still, 1), null);
       view.setStyle(palette, strokes, { showSprings, showSurface, litSprings: false, litVertices: false });
-      view.overlay.show(pinned.length, selected, nothing);
+      view.overlay.show(pinned.length, nothing, nothing);
     });
     this.shown = frame;
   }

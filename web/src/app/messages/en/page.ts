@@ -24,6 +24,11 @@ export const page = {
     convergence: 'Convergence',
     misconceptions: 'Misconceptions',
   },
+  nets: {
+    label: 'The nets side by side. Pins can be dragged; empty space turns the camera of all.',
+    place: '{{step}} time steps',
+    restart: 'Start again',
+  },
   local: {
     name: 'Local',
     tagline: 'every spring alone, at its rest length',

@@ -24,6 +24,11 @@ export const page = {
     convergence: '收敛',
     misconceptions: '常见误解',
   },
+  nets: {
+    label: '并排的几张网。可以拖动固定点；拖动空白处同时转动所有视图。',
+    place: '已走 {{step}} 个时间步',
+    restart: '从头开始',
+  },
   local: {
     name: '局部步',
     tagline: '每根弹簧各自取原长',

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { diagonal, screenAxes } from '../../../../web/src/labs/springs/geometry.ts';
+import { diagonal, screenAxes } from '../../../../web/src/views/scene3d/screen_axes.ts';
 
 const dot = (a: number[], b: number[]) => a.reduce((sum, x, axis) => sum + x * b[axis], 0);
 const coordinate = fc.double({ min: -10, max: 10, noNaN: true });

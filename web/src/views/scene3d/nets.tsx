@@ -1,0 +1,168 @@
+import { useSignal, useSignalEffect } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { t } from '../../app/messages/index.ts';
+import { notify } from '../../app/notices.ts';
+import { appliedTheme } from '../../app/preferences.ts';
+import type { SideBySide } from '../../app/side_by_side.ts';
+import { Icon } from '../../lib/icon.tsx';
+import { followLayout } from './follow_layout.ts';
+import { Nets3D } from './nets3d.ts';
+import { darkPalette, lightPalette } from './palette.ts';
+import { PinHandle } from './pin_handle.tsx';
+import type { CanvasCallbacks, ScreenPoint } from './types.ts';
+import './nets.css';
+
+export interface NetCaption {
+  name: string;
+  /** Beside the name: what this net has come to. */
+  note?: ComponentChildren;
+}
+
+interface Props {
+  run: SideBySide;
+  /** One for each variant, in their order. */
+  captions: readonly NetCaption[];
+}
+
+/** The nets of several variants, one camera and one drag for all, over the buttons of their common clock. */
+export function Nets({ run, captions }: Props) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const nets3D = useSignal<Nets3D | null>(null);
+  const origin = useSignal<ScreenPoint>({ x: 0, y: 0 });
+  const pictures = useSignal(0);
+  const count = captions.length;
+
+  useEffect(() => {
+    const element = canvas.current as HTMLCanvasElement;
+    let drawing = 0;
+    const draw = () => {
+      drawing = 0;
+      view.render();
+      pictures.value++;
+    };
+    const view = new Nets3D(
+      element,
+      callbacks(run, () => {
+        drawing ||= requestAnimationFrame(draw);
+      }),
+    );
+    nets3D.value = view;
+    const views = (element.parentElement as HTMLElement).querySelectorAll('.net-view');
+    const stopFollowing = followLayout(element, [...views], (corner, rectangles) => {
+      origin.value = corner;
+      view.setViewports(rectangles);
+    });
+    return () => {
+      stopFollowing();
+      cancelAnimationFrame(drawing);
+      nets3D.value = null;
+      view.dispose();
+    };
+  }, [run, count, nets3D, origin, pictures]);
+
+  useSignalEffect(() => {
+    const { V, E, F, texture } = run.scene.value;
+    const r = run.r.value;
+    if (r.length > 0) nets3D.value?.setScene({ V, E, F, texture, r }, count);
+  });
+  useSignalEffect(() => {
+    const { value: states } = run.states;
+    if (states) nets3D.value?.setFrame({ nets: states.map(({ p }) => p), ...run.pins.value });
+  });
+  useSignalEffect(() => {
+    nets3D.value?.setOptions({ palette: appliedTheme.value === 'dark' ? darkPalette : lightPalette });
+  });
+
+  const view = nets3D.value;
+  const placeOf = (vertex: number) => {
+    const place = nets3D.value?.projectToScreen(vertex, 0);
+    const { x, y } = origin.value;
+    return place ? { x: x + place.x, y: y + place.y } : null;
+  };
+  return (
+    <div class="nets" data-step={run.step.value}>
+      <div class="nets-views" style={{ '--nets': count }}>
+        <canvas ref={canvas} class="nets-canvas" aria-label={t('page.nets.label')} role="img" />
+        {captions.map(({ name, note }) => (
+          <section key={name} class="net">
+            <h4>{name}</h4>
+            <div class="net-view" />
+            <p class="net-note">{note}</p>
+          </section>
+        ))}
+        {view && run.states.value && (
+          <PinHandle
+            pins={run.pins.value}
+            V={run.scene.value.V}
+            camera={() => view.camera}
+            placeOf={placeOf}
+            pictures={pictures}
+            onMove={(vertex, target) => run.movePin(vertex, target)}
+          />
+        )}
+      </div>
+      <NetsTransport run={run} onFit={() => view?.fit()} />
+    </div>
+  );
+}
+
+/** The clock of all variants. */
+function NetsTransport({ run, onFit }: { run: SideBySide; onFit: () => void }) {
+  const playing = run.playing.value;
+  const off = !run.alive.value;
+  const toggle = () => {
+    run.playing.value = !playing;
+  };
+  const step = () => {
+    run.playing.value = false;
+    void run.run(1);
+  };
+  return (
+    <fieldset class="nets-transport" aria-label={t('page.transport.label')}>
+      <button type="button" class="play" aria-disabled={off} onClick={off ? undefined : toggle}>
+        <Icon name={playing ? 'pause' : 'play'} />
+        {t(playing ? 'page.transport.pause' : 'page.transport.play')}
+      </button>
+      <IconButton icon="nextStep" label={t('page.transport.nextStep')} off={off} onClick={step} />
+      <IconButton icon="reset" label={t('page.nets.restart')} onClick={() => void run.reset()} />
+      <IconButton icon="fit" label={t('page.stage.fit')} onClick={onFit} />
+      <p class="nets-place" aria-live={playing ? 'off' : 'polite'}>
+        {t('page.nets.place', { step: run.step.value })}
+      </p>
+    </fieldset>
+  );
+}
+
+interface IconButtonProps {
+  icon: 'nextStep' | 'reset' | 'fit';
+  label: string;
+  off?: boolean;
+  onClick: () => void;
+}
+
+function IconButton({ icon, label, off = false, onClick }: IconButtonProps) {
+  return (
+    <button type="button" aria-label={label} title={label} aria-disabled={off} onClick={off ? undefined : onClick}>
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+function callbacks(run: SideBySide, onInvalidate: () => void): CanvasCallbacks {
+  return {
+    onInvalidate,
+    onHover: () => {},
+    onSelect: () => {},
+    onPinToggle: () => {},
+    onDragStart: (vertex) => {
+      run.held.value = vertex;
+    },
+    onDrag: (vertex, target) => run.movePin(vertex, target),
+    onDragEnd: () => {
+      run.held.value = null;
+    },
+    onCameraChange: () => {},
+    onContextLost: () => notify('error', 'page.errors.contextLost'),
+  };
+}
