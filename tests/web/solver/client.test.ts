@@ -1,4 +1,3 @@
-import { expose } from 'comlink';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { SolverCancelled, SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
 import type {
@@ -9,6 +8,7 @@ import type {
   Reply,
   Request,
 } from '../../../web/src/solver/protocol.ts';
+import { PortWorker } from '../../support/port_worker.ts';
 
 const problem: Problem = { V: new Float64Array(3), E: new Int32Array(0), m: Float64Array.of(1) };
 const request = (k: number, kind: 'stay' | 'next_step' = 'stay') =>
@@ -24,54 +24,27 @@ let online = true;
  * Each "worker" answers with the number of the step it stands at, refuses k = 0 once the problem is open in it, dies of k = 13 as a trapped module
  * does, and works for ever on k = 99.
  */
-class FakeWorker extends EventTarget {
-  ended = false;
+class FakeWorker extends PortWorker {
   readonly opened: { from: Checkpoint | null; request: Request }[] = [];
   private step = 0;
-  private readonly port: MessagePort;
-  private readonly inside: MessagePort;
 
   constructor() {
     super();
-    const { port1, port2 } = new MessageChannel();
-    this.port = port1;
-    this.inside = port2;
-    expose(
-      {
-        start: async () => {},
-        open: async (_: Problem, asked: Request, from: Checkpoint | null) => {
-          if (dying) throw new WebAssembly.RuntimeError('out of memory');
-          this.opened.push({ from, request: asked });
-          this.step = from?.step ?? 1;
-          return asked.parameters.k === 0 ? { ok: false, status: { code: 'not_positive' } } : this.reply();
-        },
-        run: async (asked: Request) => {
-          if (asked.parameters.k === 13) throw new WebAssembly.RuntimeError('unreachable');
-          if (asked.parameters.k === 99) return new Promise(() => {});
-          if (asked.command.kind === 'next_step') this.step += 1;
-          return this.reply();
-        },
+    this.serve({
+      start: async () => {},
+      open: async (_: Problem, asked: Request, from: Checkpoint | null) => {
+        if (dying) throw new WebAssembly.RuntimeError('out of memory');
+        this.opened.push({ from, request: asked });
+        this.step = from?.step ?? 1;
+        return asked.parameters.k === 0 ? { ok: false, status: { code: 'not_positive' } } : this.reply();
       },
-      port2,
-    );
-  }
-
-  postMessage(message: unknown, transfer: Transferable[]): void {
-    this.port.postMessage(message, transfer);
-  }
-
-  override addEventListener(type: string, listener: EventListener): void {
-    if (type === 'message') this.port.addEventListener(type, listener);
-    else super.addEventListener(type, listener);
-  }
-
-  start(): void {
-    this.port.start();
-  }
-
-  terminate(): void {
-    this.ended = true;
-    this.port.close();
+      run: async (asked: Request) => {
+        if (asked.parameters.k === 13) throw new WebAssembly.RuntimeError('unreachable');
+        if (asked.parameters.k === 99) return new Promise(() => {});
+        if (asked.command.kind === 'next_step') this.step += 1;
+        return this.reply();
+      },
+    });
   }
 
   /** Posts from inside a request, as the real worker does. */

@@ -21,6 +21,14 @@ export interface CommonStart {
   from: Checkpoint | null;
 }
 
+/** A worker, what it can be asked, and the end of every wait for an answer that will not come. */
+interface Crew {
+  worker: Worker;
+  service: Promise<Remote<SideBySideService>>;
+  lost: Promise<never>;
+  lose: (reason: Error) => void;
+}
+
 /** How long a curve stands while it grows. */
 const legible_ms = 200;
 
@@ -44,18 +52,19 @@ export class SideBySide {
 
   private readonly running = computed(() => this.alive.value && (this.playing.value || this.held.value !== null));
   private readonly createWorker: () => Worker;
+  private readonly wasmBinary: () => Promise<ArrayBuffer>;
   private readonly clock = new Clock();
-  private worker: Worker | null = null;
-  private service: Promise<Remote<SideBySideService>> | null = null;
-  /** Ends the wait for an answer that will not come. */
-  private fail: (reason: Error) => void = () => {};
+  private crew: Crew | null = null;
   private start: (CommonStart & { variants: readonly Variant[] }) | null = null;
   private history: MechanicalEnergy[][] = [];
   private legibleSince = Number.NEGATIVE_INFINITY;
-  private busy = false;
+  /** Requests take turns. */
+  private last: Promise<unknown> = Promise.resolve();
+  private waiting = 0;
 
-  constructor(createWorker: () => Worker = sideBySideWorker) {
+  constructor(createWorker: () => Worker = sideBySideWorker, wasmBinary: () => Promise<ArrayBuffer> = fetchSolver) {
     this.createWorker = createWorker;
+    this.wasmBinary = wasmBinary;
   }
 
   /** Begins to follow the display's refresh. Returns how to stop, which ends the worker. */
@@ -64,7 +73,7 @@ export class SideBySide {
     const tick = (now: number) => {
       asked = requestAnimationFrame(tick);
       this.clock.drawn(now);
-      const steps = this.busy ? 0 : this.clock.due(now, this.parameters.delta_t);
+      const steps = this.waiting > 0 ? 0 : this.clock.due(now, this.parameters.delta_t);
       if (steps > 0) void this.run(steps);
     };
     const stop = effect(() => {
@@ -105,7 +114,7 @@ export class SideBySide {
 
   /** So many time steps at once. */
   async run(steps: number): Promise<void> {
-    if (this.busy || !this.states.value) return;
+    if (this.waiting > 0 || !this.states.value) return;
     const states = await this.ask<VariantState[]>(async (service) => service.run(this.pins.value, steps));
     if (!states) return;
     const milliseconds = states.reduce((sum, one) => sum + one.milliseconds, 0);
@@ -155,41 +164,46 @@ export class SideBySide {
   }
 
   /** Null when there was no answer, after a word about it; the next request finds a new worker. */
-  private async ask<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
-    this.busy = true;
+  private ask<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
+    this.waiting += 1;
+    const turn = this.last.then(() => this.askNow(request));
+    this.last = turn;
+    return turn;
+  }
+
+  private async askNow<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
     try {
-      const answer = this.ready().then(request);
-      const lost = new Promise<never>((_, reject) => {
-        this.fail = reject;
-      });
-      return await Promise.race([answer, lost]);
+      this.crew ??= this.hire();
+      return await Promise.race([this.crew.service.then(request), this.crew.lost]);
     } catch (reason) {
       if (reason !== ended) notifyOf(reason instanceof Obstacle ? reason : new SolverCrash((reason as Error).message));
       this.end();
       return null;
     } finally {
-      this.busy = false;
+      this.waiting -= 1;
     }
   }
 
-  private ready(): Promise<Remote<SideBySideService>> {
-    this.service ??= (async () => {
-      const wasmBinary = await fetchSolver();
-      const worker = this.createWorker();
-      this.worker = worker;
-      worker.addEventListener('error', ({ message }) => this.fail(new Error(message)));
-      const service = wrap<SideBySideService>(worker);
-      await service.start(wasmBinary);
-      return service;
-    })();
-    return this.service;
+  private hire(): Crew {
+    let lose: Crew['lose'] = () => {};
+    const lost = new Promise<never>((_, reject) => {
+      lose = reject;
+    });
+    lost.catch(() => {}); // also where nothing is asked any more
+    const worker = this.createWorker();
+    worker.addEventListener('error', ({ message }) => lose(new Error(message)));
+    const service = this.wasmBinary().then(async (wasmBinary) => {
+      const remote = wrap<SideBySideService>(worker);
+      await remote.start(wasmBinary);
+      return remote;
+    });
+    return { worker, service, lost, lose };
   }
 
   private end(): void {
-    this.fail(ended);
-    this.worker?.terminate();
-    this.worker = null;
-    this.service = null;
+    this.crew?.lose(ended);
+    this.crew?.worker.terminate();
+    this.crew = null;
     batch(() => {
       this.playing.value = false;
       this.states.value = null;

@@ -32,7 +32,7 @@ export interface OpenedSideBySide {
 export interface SideBySideService {
   /** Compiles the module. Call once, before anything else. */
   start(wasmBinary: ArrayBuffer): Promise<void>;
-  /** One variant at least, all from the same positions: at rest, or those that a checkpoint's time step starts from. Not ok: the first refusal. */
+  /** One variant at least, all from the same positions: at rest, or those that a checkpoint's time step starts from. Not ok: the first refusal, and those open before stay. */
   open(
     problem: Problem,
     variants: readonly Variant[],
@@ -69,18 +69,21 @@ export class SideBySideSession {
   }
 
   open(problem: Problem, variants: readonly Variant[], pins: Pins, from: Checkpoint | null): Outcome<OpenedSideBySide> {
-    for (const { simulation } of this.runners) simulation.delete();
-    this.runners = [];
+    const next: typeof this.runners = [];
     for (const variant of variants) {
       const [simulation, opened] = this.simulationOf(problem, variant, pins);
-      this.runners.push({ simulation, failure: null });
+      next.push({ simulation, failure: null });
       let status = opened;
       if (status.code === 'ok') status = simulation.set_pins(pins.pinned, pins.targets);
       if (status.code === 'ok' && from) status = simulation.set_state(from.step, from.p_curr, from.p_prev, 0);
-      if (status.code !== 'ok') return { ok: false, status };
+      if (status.code === 'ok') continue;
+      release(next);
+      return { ok: false, status };
     }
-    const r = this.runners[0].simulation.r().slice();
-    return { ok: true, value: { states: this.runners.map((runner) => stateOf(runner, [], 0)), r } };
+    release(this.runners);
+    this.runners = next;
+    const r = next[0].simulation.r().slice();
+    return { ok: true, value: { states: next.map((runner) => stateOf(runner, [], 0)), r } };
   }
 
   run(pins: Pins, steps: number): VariantState[] {
@@ -107,6 +110,10 @@ export class SideBySideSession {
     const simulation = new this.module.MistakenSimulation();
     return [simulation, simulation.set_scene(V, E, m, pinned, parameters, mistake)];
   }
+}
+
+function release(runners: readonly { simulation: Runner }[]): void {
+  for (const { simulation } of runners) simulation.delete();
 }
 
 function stateOf(
