@@ -9,10 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "elimination.h"
 #include "explicit_step.h"
 #include "inertial_prediction.h"
+#include "matrix_in_order.h"
+#include "ordering.h"
 #include "simulation.h"
 #include "solving_example.h"
+#include "system_matrix_terms.h"
+#include "triplets_from_matrix.h"
 
 using namespace mass_spring;
 using emscripten::typed_memory_view;
@@ -103,6 +108,55 @@ val matrix(int rows, int columns, const Triplets& triplets) {
   return object;
 }
 
+val matrix(const SparseMatrix& sparse) {
+  return matrix(sparse.rows(), sparse.cols(), triplets_from_matrix(sparse));
+}
+
+val terms_of_Q(const Simulation& simulation) {
+  const SystemMatrixTerms terms = mass_spring::system_matrix_terms(simulation.time_step());
+  val object = val::object();
+  object.set("AtA", matrix(terms.AtA));
+  object.set("springs", matrix(terms.springs));
+  object.set("masses", matrix(terms.masses));
+  object.set("pins", matrix(terms.pins));
+  return object;
+}
+
+// The types of module.ts let no other names through.
+Ordering ordering_of(const std::string& name) {
+  const auto& names = ordering_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Ordering::natural : static_cast<Ordering>(found - names.begin());
+}
+
+std::vector<int> order(const Simulation& simulation, const std::string& ordering) {
+  return ordered_unknowns(ordering_of(ordering), simulation.Q(), simulation.order());
+}
+
+// Whoever asked for one of these two deletes it.
+Elimination* elimination(const Simulation& simulation, const std::string& ordering) {
+  return new Elimination(simulation.Q(), order(simulation, ordering));
+}
+SolvingExample* solving_example(const Simulation& simulation) {
+  return new SolvingExample(matrix_in_order(simulation.Q(), order(simulation, "natural")));
+}
+
+val after(const Elimination& elimination, int columns) {
+  std::vector<EliminatedEntry> entries;
+  const Status status = elimination.after(columns, entries);
+  Triplets triplets;
+  std::vector<int> born;
+  for (const auto& entry : entries) {
+    triplets.emplace_back(entry.row, entry.column, entry.value);
+    born.push_back(entry.born);
+  }
+  const int n = elimination.order().size();
+  val object = matrix(n, n, triplets);
+  object.set("born", copy("Int32Array", born));
+  object.set("status", status);
+  return object;
+}
+
 val probe(Simulation& simulation, int i) {
   const VertexProbe parts = simulation.probe_vertex(i);
   val object = val::object();
@@ -110,6 +164,8 @@ val probe(Simulation& simulation, int i) {
   object.set("kAtd", val::array(parts.kAtd.begin(), parts.kAtd.end()));
   object.set("b", val::array(parts.b.begin(), parts.b.end()));
   object.set("Qp", val::array(parts.Qp.begin(), parts.Qp.end()));
+  object.set("springs", copy("Int32Array", parts.springs));
+  object.set("shares", copy("Float64Array", parts.shares));
   return object;
 }
 
@@ -119,6 +175,7 @@ int pins(const Simulation& simulation) { return simulation.time_step().pinned.si
 
 val status_codes() { return val::array(status_code_names()); }
 val methods() { return val::array(method_names()); }
+val orderings() { return val::array(ordering_names()); }
 
 }  // namespace
 
@@ -127,6 +184,7 @@ EMSCRIPTEN_BINDINGS(solver) {
 
   function("status_codes", &status_codes);
   function("methods", &methods);
+  function("orderings", &orderings);
 
   value_object<Status>("Status")
       .field("code", &code, &set_code)
@@ -236,6 +294,14 @@ EMSCRIPTEN_BINDINGS(solver) {
           "C", +[](const S& s) { return matrix(pins(s), vertices(s), s.C()); })
       .function(
           "Q", +[](const S& s) { return matrix(vertices(s), vertices(s), s.Q()); })
+      .function("system_matrix_terms", &terms_of_Q)
+      .function(
+          "order",
+          +[](const S& s, const std::string& ordering) {
+            return copy("Int32Array", order(s, ordering));
+          })
+      .function("elimination", &elimination, allow_raw_pointers())
+      .function("solving_example", &solving_example, allow_raw_pointers())
       .function(
           "y", +[](S& s) { return lend(s.y()); })
       .function(
@@ -243,6 +309,26 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "gradient_at",
           +[](const S& s, val p) { return copy("Float64Array", s.gradient_at(doubles(p))); });
+
+  using E = Elimination;
+  class_<E>("Elimination")
+      .function(
+          "order", +[](const E& e) { return copy("Int32Array", e.order()); })
+      .function(
+          "parent", +[](const E& e) { return copy("Int32Array", e.tree().parent); })
+      .function(
+          "height", +[](const E& e) { return copy("Int32Array", e.tree().height); })
+      .function(
+          "nonzeros", +[](const E& e) { return static_cast<double>(e.tree().nonzeros); })
+      .function(
+          "nonzeros_of_Q", +[](const E& e) { return static_cast<double>(e.nonzeros_of_Q()); })
+      .function(
+          "fill", +[](const E& e) { return static_cast<double>(e.fill()); })
+      .function("flops", &E::flops)
+      .function(
+          "most_flops", +[](const E&) { return E::most_flops; })
+      .function("factorise", &E::factorise)
+      .function("after", &after);
 
   class_<SolvingExample>("SolvingExample")
       .constructor<int>()
@@ -252,5 +338,8 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function("dense_substitute", &SolvingExample::dense_substitute)
       .function("sparse_factorise", &SolvingExample::sparse_factorise)
       .function("sparse_substitute", &SolvingExample::sparse_substitute)
+      .function("dense_bytes", &SolvingExample::dense_bytes)
+      .function("sparse_matrix_bytes", &SolvingExample::sparse_matrix_bytes)
+      .function("sparse_factor_bytes", &SolvingExample::sparse_factor_bytes)
       .function("residual", &SolvingExample::residual);
 }

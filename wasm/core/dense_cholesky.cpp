@@ -1,6 +1,7 @@
 #include "dense_cholesky.h"
 
 #include <Eigen/Cholesky>
+#include <numeric>
 
 #include "matrix_from_triplets.h"
 
@@ -18,6 +19,12 @@ void DenseCholesky::solve(const Points& b, DenseMatrix& x, Points& p) const {
   L_.triangularView<Eigen::Lower>().solveInPlace(x);
   L_.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
   p = x;
+}
+
+std::vector<int> DenseCholesky::order() const {
+  std::vector<int> rows(L_.rows());
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
 }
 
 }  // namespace mass_spring

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "types.h"
 
 namespace mass_spring {
@@ -18,6 +20,9 @@ class DenseCholesky {
   /// @param x  scratch, kept by the caller between calls
   /// @param p  #V by 3 (result)
   void solve(const Points& b, DenseMatrix& x, Points& p) const;
+
+  /// Which row of Q is eliminated first, second, …: as they are numbered.
+  std::vector<int> order() const;
 
   /// That L takes.
   double bytes() const { return static_cast<double>(L_.size()) * sizeof(double); }

@@ -44,6 +44,14 @@ void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const
   }
 }
 
+std::vector<int> FastSystem::order() const {
+  std::vector<int> vertices(free_count_);
+  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+    if (row_[i] < free_count_) vertices[row_[i]] = i;
+  }
+  return vertices;
+}
+
 bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Progress& progress) {
   k_ = k;
   inertia_.resize(m.size());

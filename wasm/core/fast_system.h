@@ -36,6 +36,9 @@ class FastSystem {
     return pattern_.values * std::int64_t{sizeof(double) + sizeof(float)};
   }
 
+  /// Which of the free vertices is eliminated first, second, …: known after analyse().
+  std::vector<int> order() const;
+
   /// @param k        N/m
   /// @param m        #V, kg
   /// @param delta_t  s

@@ -21,4 +21,14 @@ Graph graph_from_edges(int size, const std::vector<std::array<int, 2>>& edges) {
   return graph;
 }
 
+Graph graph_from_matrix(const SparseMatrix& Q) {
+  std::vector<std::array<int, 2>> edges;
+  for (int j = 0; j < Q.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator entry(Q, j); entry; ++entry) {
+      if (entry.row() > j) edges.push_back({static_cast<int>(entry.row()), j});
+    }
+  }
+  return graph_from_edges(static_cast<int>(Q.rows()), edges);
+}
+
 }  // namespace mass_spring

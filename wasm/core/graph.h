@@ -23,4 +23,7 @@ struct Graph {
 /// @param edges  pairs of different vertices, each pair once
 Graph graph_from_edges(int size, const std::vector<std::array<int, 2>>& edges);
 
+/// @param Q  symmetric: rows are joined where it has an entry off its diagonal
+Graph graph_from_matrix(const SparseMatrix& Q);
+
 }  // namespace mass_spring

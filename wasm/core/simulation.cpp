@@ -360,7 +360,7 @@ const Points& Simulation::y() {
 VertexProbe Simulation::probe_vertex(int i) {
   if (i < 0 || i >= state_.V.rows()) {
     const Eigen::RowVector3d nowhere = Eigen::RowVector3d::Constant(nan);
-    return {nowhere, nowhere, nowhere, nowhere};
+    return {nowhere, nowhere, nowhere, nowhere, {}, {}};
   }
   return system_.probe(state_.time_step, cursor_.iterate, y(), i);
 }

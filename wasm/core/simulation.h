@@ -81,6 +81,8 @@ class Simulation {
   Triplets M() const { return system_.M(); }
   Triplets C() const { return system_.C(); }
   Triplets Q() const;
+  /// Which unknown of Q p = b, a vertex, the solver eliminates first, second, …
+  std::vector<int> order() const { return system_.order(); }
 
  private:
   bool has_scene() const { return state_.V.rows() > 0; }

@@ -6,6 +6,7 @@
 
 #include "matrix_from_triplets.h"
 #include "system_matrix.h"
+#include "triplets_from_matrix.h"
 
 namespace mass_spring {
 
@@ -28,6 +29,9 @@ SolvingExample::SolvingExample(int side) {
   b_ = Points::Constant(n, 3, -9.8);
 }
 
+SolvingExample::SolvingExample(const SparseMatrix& Q)
+    : Q_(triplets_from_matrix(Q)), b_(Points::Constant(Q.rows(), 3, -9.8)) {}
+
 bool SolvingExample::dense_inverse() {
   if (!fits_dense()) return false;
   DenseMatrix Q;
@@ -49,6 +53,16 @@ bool SolvingExample::dense_substitute() {
 void SolvingExample::sparse_factorise() { sparse_.factorise(vertex_count(), Q_); }
 
 void SolvingExample::sparse_substitute() { sparse_.solve(b_, scratch_, p_); }
+
+double SolvingExample::dense_bytes() const {
+  return sizeof(double) * static_cast<double>(vertex_count()) * vertex_count();
+}
+
+double SolvingExample::sparse_matrix_bytes() const {
+  SparseMatrix Q;
+  matrix_from_triplets(vertex_count(), vertex_count(), Q_, Q);
+  return static_cast<double>(Q.nonZeros()) * (sizeof(double) + sizeof(int));
+}
 
 double SolvingExample::residual() const {
   SparseMatrix Q;

@@ -6,16 +6,20 @@
 
 namespace mass_spring {
 
-/// Q p = b for a square net of `side` by `side` vertices, and the ways to solve it, each a call of
-/// its own: to be timed at growing size. A solve comes after its factorisation.
+/// Q p = b and the ways to solve it, each a call of its own: to be timed. A solve comes after its
+/// factorisation.
 class SolvingExample {
  public:
-  /// Beyond this side, 2,025 vertices, dense calls do nothing and return false: Q and its inverse
+  /// Beyond so many unknowns dense calls do nothing and return false: Q and its inverse
   /// would take more than 33 MB each.
-  static constexpr int largest_dense_side = 45;
+  static constexpr int largest_dense = 2025;
 
+  /// Of a square net of `side` by `side` vertices.
   /// @param side  at least 2
   explicit SolvingExample(int side);
+  /// Of any system, loaded by gravity.
+  /// @param Q  N/m
+  explicit SolvingExample(const SparseMatrix& Q);
 
   int vertex_count() const { return static_cast<int>(b_.rows()); }
 
@@ -29,11 +33,15 @@ class SolvingExample {
   void sparse_factorise();
   /// About n log n operations.
   void sparse_substitute();
+  /// Of Q and, once it is factorised, of L, by either storage.
+  double dense_bytes() const;
+  double sparse_matrix_bytes() const;
+  double sparse_factor_bytes() const { return sparse_.bytes(); }
   /// max |Q p - b| of the last substitution, N.
   double residual() const;
 
  private:
-  bool fits_dense() const { return vertex_count() <= largest_dense_side * largest_dense_side; }
+  bool fits_dense() const { return vertex_count() <= largest_dense; }
 
   Triplets Q_;           // #V by #V, N/m
   Points b_;             // #V by 3, N

@@ -37,4 +37,9 @@ void SparseCholesky::solve(const Points& b, DenseMatrix& x, Points& p) const {
   p.noalias() = llt_.permutationPinv() * x;
 }
 
+std::vector<int> SparseCholesky::order() const {
+  const Indices& rows = llt_.permutationPinv().indices();
+  return {rows.begin(), rows.end()};
+}
+
 }  // namespace mass_spring

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <vector>
 
 #include "types.h"
 
@@ -22,6 +23,9 @@ class SparseCholesky {
   /// @param x  scratch, kept by the caller between calls
   /// @param p  #V by 3 (result)
   void solve(const Points& b, DenseMatrix& x, Points& p) const;
+
+  /// Which row of Q is eliminated first, second, …: P.
+  std::vector<int> order() const;
 
   /// That L takes.
   double bytes() const {

@@ -237,6 +237,12 @@ VertexProbe System::probe(const TimeStep& step, const Iterate& iterate, const Po
       precomputation_);
 }
 
+std::vector<int> System::order() const {
+  if (fast_) return fast_->order();
+  return std::visit([](const auto& precomputation) { return precomputation.Q.order(); },
+                    precomputation_);
+}
+
 Triplets System::A() const {
   return std::visit([](const auto& matrices) { return triplets_from_matrix(matrices.A); },
                     precomputation_);

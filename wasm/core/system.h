@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "fast_system.h"
 #include "minimiser.h"
@@ -67,6 +68,9 @@ class System {
   /// @param workspace  reads y; leaves b
   double residual(const TimeStep& step, const Iterate& iterate, Workspace& workspace) const;
   VertexProbe probe(const TimeStep& step, const Iterate& iterate, const Points& y, int i) const;
+  /// Which unknown of Q p = b, a vertex, is eliminated first, second, …; on the fast path pinned
+  /// vertices are none.
+  std::vector<int> order() const;
   Triplets A() const;
   Triplets M() const;
   Triplets C() const;

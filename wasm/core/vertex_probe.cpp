@@ -13,6 +13,15 @@ VertexProbe vertex_probe(const TimeStep& step,
   VertexProbe probe;
   probe.y = y.row(i);
   probe.kAtd = step.k * (precomputation.A.col(i).transpose() * iterate.d);
+  for (Eigen::InnerIterator<Matrix> entry(precomputation.A, i); entry; ++entry) {
+    if (entry.value() != 0) probe.springs.push_back(static_cast<int>(entry.row()));
+  }
+  probe.shares.resize(static_cast<int>(probe.springs.size()), 3);
+  for (int s = 0; s < probe.shares.rows(); ++s) {
+    const int e = probe.springs[s];
+    probe.shares.row(s) =
+        step.E(e, 0) == i ? step.k * iterate.d.row(e) : -step.k * iterate.d.row(e);
+  }
   probe.b = probe.kAtd + probe.y;
   probe.Qp = Qp.row(i);
   return probe;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "precomputation.h"
 #include "time_step.h"
 
@@ -8,6 +10,10 @@ namespace mass_spring {
 /// The parts of row i of Q p = b, b = k Aᵀ d + y, N.
 struct VertexProbe {
   Eigen::RowVector3d y, kAtd, b, Qp;
+  // What kAᵀd is the sum of: the springs at the vertex, ascending, and k d_e with the sign that A
+  // has there.
+  std::vector<int> springs;
+  Points shares;  // #springs by 3
 };
 
 /// @param iterate  p and d

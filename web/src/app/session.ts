@@ -6,6 +6,7 @@ import type { Method, Status } from '../solver/module.ts';
 import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
+import { answered, askMatrices, linearSystem, type MatrixQuestion, missingMatrices } from './matrices.ts';
 import { iterationTime, playedStep } from './measurements.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
@@ -73,7 +74,7 @@ export class Session {
       });
     });
     effect(() => {
-      if (missingMethod.value) untracked(() => void this.pump());
+      if (missingMethod.value || missingMatrices.value) untracked(() => void this.pump());
     });
     const tick = (now: number) => {
       requestAnimationFrame(tick);
@@ -157,8 +158,10 @@ export class Session {
     while (!this.current && frame.value) {
       const command = this.next();
       const method = missingMethod.value;
+      const question = missingMatrices.value;
       if (command) await this.alone(this.run(this.request(command)));
       else if (method && this.idle()) await this.alone(this.compare(method));
+      else if (question && this.idle()) await this.alone(this.answer(question));
       else return;
     }
   }
@@ -194,6 +197,16 @@ export class Session {
     const [asked, settings] = [timeStep.value, state.value];
     try {
       compared(asked, method, await this.client.compare(comparisonRequest(method)));
+    } catch (reason) {
+      this.lost(reason);
+      this.fallBack(settings);
+    }
+  }
+
+  private async answer(question: MatrixQuestion): Promise<void> {
+    const [asked, settings] = [linearSystem.value, state.value];
+    try {
+      answered(asked, await askMatrices(this.client, question));
     } catch (reason) {
       this.lost(reason);
       this.fallBack(settings);

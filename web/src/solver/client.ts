@@ -1,4 +1,6 @@
 import { wrap } from 'comlink';
+import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type { Ordering } from './module.ts';
 import type {
   Checkpoint,
   Inspection,
@@ -82,6 +84,23 @@ export class SolverClient {
   /** Looks at the open problem. Throws SolverCrash or SolverCancelled. */
   inspect(points: readonly Float64Array[]): Promise<Inspection> {
     return this.guarded((service) => service.inspect(points));
+  }
+
+  /** What the matrix room shows of the open problem; each leaves the solver where it stands. Throws SolverCrash or SolverCancelled. */
+  matrices(): Promise<Matrices> {
+    return this.guarded((service) => service.matrices());
+  }
+
+  elimination(ordering: Ordering): Promise<Elimination> {
+    return this.guarded((service) => service.elimination(ordering));
+  }
+
+  eliminationStep(request: EliminationStepRequest): Promise<Outcome<EliminationStep>> {
+    return this.guarded((service) => service.eliminationStep(request));
+  }
+
+  compareStorage(): Promise<StorageComparison> {
+    return this.guarded((service) => service.compareStorage());
   }
 
   /** Gives up the request in flight, if there is one. Its worker is busy and hears nothing, so it is ended and replaced. */

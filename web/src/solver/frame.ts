@@ -26,13 +26,16 @@ export interface TraceEvent {
   change: number;
 }
 
-/** The selected vertex's row of Q p = b, b = k Aᵀ d + y, each #3, N. */
+/** The selected vertex's row of Q p = b, b = k Aᵀ d + y, each #3, N, and what kAᵀd is the sum of. */
 export interface VertexEquation {
   vertex: number;
   y: number[];
   kAtd: number[];
   b: number[];
   Qp: number[];
+  /** #springs of the vertex, ascending; #springs×3, N: what each of them adds to kAᵀd, k d_e where the vertex is its i, −k d_e where it is its j. */
+  springs: Int32Array;
+  shares: Float64Array;
 }
 
 /** ms of one iteration's local step (on the fast path: ∂E/∂p) and of its global step (Q⁻¹). */

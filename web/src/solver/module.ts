@@ -41,6 +41,13 @@ export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pi
 export const methods = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
 export type Method = (typeof methods)[number];
 
+/**
+ * The names of Ordering in wasm/core/ordering.h, same spelling, same order: the numbering of the scene; Eigen's approximate minimum degree, ties
+ * broken by that numbering, which is what the plain path uses; and what the running solver uses, be it the fast path's own or the same.
+ */
+export const orderings = ['natural', 'minimum-degree', 'solver'] as const;
+export type Ordering = (typeof orderings)[number];
+
 /** Why a time step ended: after K iterations, by a stopping rule, or because no further step lowers E by more than rounding. */
 export type StopReason = 'iterations' | 'gradient' | 'decrease' | 'rounding';
 
@@ -105,6 +112,9 @@ export interface VertexProbe {
   kAtd: number[];
   b: number[];
   Qp: number[];
+  /** The springs at vertex i, ascending; #springs×3: what each adds to kAtd, k d_e where i is its first vertex, −k d_e where it is its second. */
+  springs: Int32Array;
+  shares: Float64Array;
 }
 
 /**
@@ -199,6 +209,14 @@ export interface Simulation {
   M(): Triplets;
   C(): Triplets;
   Q(): Triplets;
+  /** AᵀA and the three terms of Q: kAᵀA, M/Δt², wCᵀC. */
+  system_matrix_terms(): { AtA: Triplets; springs: Triplets; masses: Triplets; pins: Triplets };
+  /** #unknowns: in that order, the vertices whose rows of Q p = b are factorised; on the fast path pinned ones are not among them. */
+  order(ordering: Ordering): Int32Array;
+  /** Of Q with these rows and columns, in this order. Whoever asked deletes it. */
+  elimination(ordering: Ordering): Elimination;
+  /** The system of these rows and columns, however it is ordered, loaded by gravity. Whoever asked deletes it. */
+  solving_example(): SolvingExample;
   y(): Float64Array;
   /** E(p) of the current time step at any p (#V×3), with its terms: objective, potential, inertia, external, pin. */
   objective_at(p: Float64Array): Objective;
@@ -224,10 +242,35 @@ export const traceColumns = [
 /** J, N. */
 export const compareColumns = ['iteration', 'change', 'gradient'] as const;
 
+/** P Q Pᵀ = L Lᵀ in a given order of elimination. Rows and columns are numbered in that order. */
+export interface Elimination {
+  /** #columns: the vertex of each. */
+  order(): Int32Array;
+  /** #columns: the row of the first non-zero below the diagonal of each column of L, or −1; and how many there are. */
+  parent(): Int32Array;
+  height(): Int32Array;
+  /** Of L, the diagonal included; of the lower triangle of Q, likewise; and the difference. */
+  nonzeros(): number;
+  nonzeros_of_Q(): number;
+  fill(): number;
+  /** Σ c², c = 1 + height: all arithmetic operations. */
+  flops(): number;
+  /** Above so many, L is not computed: factorise() does nothing and after() is too_large. */
+  most_flops(): number;
+  /** All of L by Eigen's algorithm, to be timed from outside. False also where Q is not positive definite. */
+  factorise(): boolean;
+  /**
+   * The lower triangle once so many columns are eliminated, column by column, rows ascending. born, #entries: 0 for those of Q, else after how many
+   * columns they came into being. No entries where the status is not ok.
+   */
+  after(columns: number): Triplets & { born: Int32Array; status: Status };
+  delete(): void;
+}
+
 /**
- * Q p = b for a square net of side × side vertices, and the ways to solve it, each a call to be timed from outside. A substitution comes after
- * its factorisation. On sides above 45 the dense calls do nothing and return false: matrices of more than 2,025 vertices are too large to be worth
- * waiting for.
+ * Q p = b, by its constructor for a square net of side × side vertices, and the ways to solve it, each a call to be timed from outside. A
+ * substitution comes after its factorisation. Of more than 2,025 unknowns the dense calls do nothing and return false: such matrices are too large
+ * to be worth waiting for.
  */
 export interface SolvingExample {
   vertex_count(): number;
@@ -236,6 +279,10 @@ export interface SolvingExample {
   dense_substitute(): boolean;
   sparse_factorise(): void;
   sparse_substitute(): void;
+  /** Of Q, and once it is factorised of L: n² numbers for either if dense, else the non-zeros with their rows. */
+  dense_bytes(): number;
+  sparse_matrix_bytes(): number;
+  sparse_factor_bytes(): number;
   /** max |Qp − b| of the last substitution, N. */
   residual(): number;
   delete(): void;
@@ -247,9 +294,10 @@ export interface SolverModule {
   SolvingExample: new (side: number) => SolvingExample;
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
-  /** Of every Method and every Mistake, likewise. */
+  /** Of every Method, Mistake and Ordering, likewise. */
   methods(): string[];
   mistakes(): string[];
+  orderings(): string[];
 }
 
 /** The factory that Emscripten generates. `wasmBinary` is handed in so Node, Vitest and browsers load the same file the same way. */

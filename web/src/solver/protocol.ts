@@ -1,5 +1,6 @@
 import type { Frame, VertexEquation } from './frame.ts';
-import type { Method, Parameters, Stage, Status, Triplets } from './module.ts';
+import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type { Method, Ordering, Parameters, Stage, Status, Triplets } from './module.ts';
 
 /** What the solver needs of a scene. */
 export interface Problem {
@@ -138,4 +139,9 @@ export interface SolverService {
   compare(request: MethodRequest): Promise<Outcome<MethodRun>>;
   /** Changes nothing. Each point is #V×3, m. */
   inspect(points: readonly Float64Array[]): Promise<Inspection>;
+  /** These four look at the open problem and leave the solver where it stands. */
+  matrices(): Promise<Matrices>;
+  elimination(ordering: Ordering): Promise<Elimination>;
+  eliminationStep(request: EliminationStepRequest): Promise<Outcome<EliminationStep>>;
+  compareStorage(): Promise<StorageComparison>;
 }

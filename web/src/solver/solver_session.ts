@@ -1,6 +1,9 @@
 import { compareMethod } from './compare_method.ts';
+import { compareStorage } from './compare_storage.ts';
+import { readElimination, readEliminationStep } from './eliminations.ts';
+import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
 import { measureIteration } from './measure_iteration.ts';
-import type { Simulation, SolverModule, Status } from './module.ts';
+import type { Ordering, Simulation, SolverModule, Status } from './module.ts';
 import type {
   Checkpoint,
   Command,
@@ -15,6 +18,7 @@ import type {
   Request,
 } from './protocol.ts';
 import { readFrame } from './read_frame.ts';
+import { readMatrices } from './read_matrices.ts';
 
 const ok: Status = { code: 'ok', field: '', index: -1, value: 0, limit: 0 };
 
@@ -68,6 +72,22 @@ export class SolverSession {
       iterates: this.iterates(),
       evaluations: points.map((p) => ({ ...s.objective_at(p), gradient: s.gradient_at(p).slice() })),
     };
+  }
+
+  matrices(): Matrices {
+    return readMatrices(this.simulation);
+  }
+
+  elimination(ordering: Ordering): Elimination {
+    return readElimination(this.simulation, ordering);
+  }
+
+  eliminationStep(request: EliminationStepRequest): Outcome<EliminationStep> {
+    return readEliminationStep(this.simulation, request);
+  }
+
+  compareStorage(): StorageComparison {
+    return compareStorage(this.simulation);
   }
 
   private iterates(): Float64Array[] {

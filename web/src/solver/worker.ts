@@ -1,5 +1,7 @@
 import { expose, transfer } from 'comlink';
 import createSolver from '#wasm/solver.js';
+import type { EliminationStepRequest } from './matrices.ts';
+import type { Ordering } from './module.ts';
 import type {
   Checkpoint,
   MethodRequest,
@@ -31,6 +33,16 @@ function send<T extends Reply>(outcome: Outcome<T>): Outcome<T> {
   );
 }
 
+/** Hands over every array of an answer that nobody here keeps. */
+function give<T extends object>(answer: T): T {
+  return transfer(answer, buffersOf(answer));
+}
+
+function buffersOf(part: object): ArrayBuffer[] {
+  if (ArrayBuffer.isView(part)) return [part.buffer as ArrayBuffer];
+  return Object.values(part).flatMap((inner) => (typeof inner === 'object' && inner ? buffersOf(inner) : []));
+}
+
 const service: SolverService = {
   async start(wasmBinary: ArrayBuffer) {
     session = new SolverSession(await createSolver({ wasmBinary }), (progress) =>
@@ -48,6 +60,18 @@ const service: SolverService = {
   },
   async inspect(points: readonly Float64Array[]) {
     return theSession().inspect(points);
+  },
+  async matrices() {
+    return give(theSession().matrices());
+  },
+  async elimination(ordering: Ordering) {
+    return give(theSession().elimination(ordering));
+  },
+  async eliminationStep(request: EliminationStepRequest) {
+    return give(theSession().eliminationStep(request));
+  },
+  async compareStorage() {
+    return theSession().compareStorage();
   },
 };
 
