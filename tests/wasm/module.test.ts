@@ -1,5 +1,13 @@
 import { expect, test } from 'vitest';
-import { methods, type Simulation, statusCodes, traceColumns } from '../../web/src/solver/module.ts';
+import {
+  type Elimination,
+  methods,
+  orderings,
+  type Simulation,
+  type SolvingExample,
+  statusCodes,
+  traceColumns,
+} from '../../web/src/solver/module.ts';
 import { openScene } from '../support/open_scene.ts';
 import { distance, expectOk, openSimulation, solver } from '../support/open_simulation.ts';
 import { positionsTolerance } from '../support/positions_tolerance.ts';
@@ -23,6 +31,7 @@ const triplets = {
 const vector = [expect.any(Number), expect.any(Number), expect.any(Number)];
 const number = expect.any(Number);
 const doubles = expect.any(Float64Array);
+const indices = expect.any(Int32Array);
 
 /** Every call of the hand-written interface, by the compiler's word, with what the real module returns. */
 const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Name]>, result: unknown] } = {
@@ -57,7 +66,7 @@ const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Nam
   m: [[], Float64Array.of(1, 1, 1)],
   targets: [[], Float64Array.of(0, 0, 0)],
   trace: [[], doubles],
-  probe_vertex: [[1], { y: vector, kAtd: vector, b: vector, Qp: vector }],
+  probe_vertex: [[1], { y: vector, kAtd: vector, b: vector, Qp: vector, springs: indices, shares: doubles }],
   energy: [[], { kinetic: number, springs: number, external: number }],
   stiffness_number: [[], number],
   factorisation_count: [[], number],
@@ -66,25 +75,63 @@ const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Nam
   M: [[], triplets],
   C: [[], triplets],
   Q: [[], triplets],
+  system_matrix_terms: [[], { AtA: triplets, springs: triplets, masses: triplets, pins: triplets }],
+  order: [['solver'], indices],
+  elimination: [['natural'], expect.any(solver.Elimination)],
+  solving_example: [[], expect.any(solver.SolvingExample)],
   y: [[], doubles],
   objective_at: [[V], { objective: number, potential: number, inertia: number, external: number, pin: number }],
   gradient_at: [[V], doubles],
   delete: [[], undefined],
 };
 
-test('the module has exactly the calls of the interface, and they return what it says', () => {
-  const simulation = new solver.Simulation();
+const eliminationCalls: { [Name in keyof Elimination]: [arguments: Parameters<Elimination[Name]>, result: unknown] } = {
+  order: [[], Int32Array.of(0, 1, 2)],
+  parent: [[], Int32Array.of(1, 2, -1)],
+  height: [[], Int32Array.of(1, 1, 0)],
+  nonzeros: [[], 5],
+  nonzeros_of_Q: [[], 5],
+  fill: [[], 0],
+  flops: [[], 9],
+  most_flops: [[], number],
+  factorise: [[], true],
+  after: [[1], { ...triplets, born: indices, status }],
+  delete: [[], undefined],
+};
+
+const exampleCalls: {
+  [Name in keyof SolvingExample]: [arguments: Parameters<SolvingExample[Name]>, result: unknown];
+} = {
+  vertex_count: [[], 3],
+  dense_inverse: [[], true],
+  dense_factorise: [[], true],
+  dense_substitute: [[], true],
+  sparse_factorise: [[], undefined],
+  sparse_substitute: [[], undefined],
+  dense_bytes: [[], 72],
+  sparse_matrix_bytes: [[], 7 * 12],
+  sparse_factor_bytes: [[], 5 * 12],
+  residual: [[], number],
+  delete: [[], undefined],
+};
+
+test.each([
+  ['Simulation', () => new solver.Simulation(), calls],
+  ['Elimination', () => openSimulation(chain(3), usualParameters).elimination('natural'), eliminationCalls],
+  ['SolvingExample', () => openSimulation(chain(3), usualParameters).solving_example(), exampleCalls],
+] as const)('%s has exactly the calls of its interface, and they return what it says', (name, open, calls) => {
+  const object = open() as unknown as Record<string, (...inputs: unknown[]) => unknown>;
   const { delete: _, ...registered } = calls; // embind gives every class its delete
-  expect(Object.keys(solver.Simulation.prototype).sort()).toEqual(Object.keys(registered).sort());
+  expect(Object.keys(solver[name].prototype).sort()).toEqual(Object.keys(registered).sort());
   for (const [name, [inputs, result]] of Object.entries(calls)) {
-    const call = simulation[name as keyof Simulation] as (...inputs: unknown[]) => unknown;
-    expect(call.apply(simulation, inputs), name).toEqual(result);
+    expect(object[name](...inputs), name).toEqual(result);
   }
 });
 
-test('the names of the status codes and of the methods', () => {
+test('the names of the status codes, of the methods and of the orderings', () => {
   expect(solver.status_codes()).toEqual([...statusCodes]);
   expect(solver.methods()).toEqual([...methods]);
+  expect(solver.orderings()).toEqual([...orderings]);
 });
 
 test('the columns of the trace', () => {

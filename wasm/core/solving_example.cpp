@@ -50,9 +50,14 @@ bool SolvingExample::dense_substitute() {
   return true;
 }
 
-void SolvingExample::sparse_factorise() { sparse_.factorise(vertex_count(), Q_); }
+// Of no unknowns Eigen asserts that there are some.
+void SolvingExample::sparse_factorise() {
+  if (vertex_count() > 0) sparse_.factorise(vertex_count(), Q_);
+}
 
-void SolvingExample::sparse_substitute() { sparse_.solve(b_, scratch_, p_); }
+void SolvingExample::sparse_substitute() {
+  if (vertex_count() > 0) sparse_.solve(b_, scratch_, p_);
+}
 
 double SolvingExample::dense_bytes() const {
   return sizeof(double) * static_cast<double>(vertex_count()) * vertex_count();
@@ -62,6 +67,10 @@ double SolvingExample::sparse_matrix_bytes() const {
   SparseMatrix Q;
   matrix_from_triplets(vertex_count(), vertex_count(), Q_, Q);
   return static_cast<double>(Q.nonZeros()) * (sizeof(double) + sizeof(int));
+}
+
+double SolvingExample::sparse_factor_bytes() const {
+  return vertex_count() > 0 ? sparse_.bytes() : 0;
 }
 
 double SolvingExample::residual() const {

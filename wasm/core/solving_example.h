@@ -36,7 +36,7 @@ class SolvingExample {
   /// Of Q and, once it is factorised, of L, by either storage.
   double dense_bytes() const;
   double sparse_matrix_bytes() const;
-  double sparse_factor_bytes() const { return sparse_.bytes(); }
+  double sparse_factor_bytes() const;
   /// max |Q p - b| of the last substitution, N.
   double residual() const;
 

@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { comparison } from '../../../web/src/app/comparison.ts';
+import { eliminationStep, matrices, matrixWishes, noWishes } from '../../../web/src/app/matrices.ts';
 import { notices } from '../../../web/src/app/notices.ts';
+import { route, springsRoute } from '../../../web/src/app/route.ts';
 import { Session } from '../../../web/src/app/session.ts';
 import {
   defaultState,
@@ -15,6 +17,7 @@ import { solving } from '../../../web/src/app/work.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
 import { SolverCancelled, type SolverClient, SolverCrash } from '../../../web/src/solver/client.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
+import type { EliminationStepRequest } from '../../../web/src/solver/matrices.ts';
 import type { MethodRequest, MethodRun, Opened, Outcome, Request } from '../../../web/src/solver/protocol.ts';
 
 const scene: Scene = {
@@ -56,6 +59,17 @@ class FakeClient {
     return { ok: true, value: { method, change: zero, gradient: zero, converged: true, milliseconds: 1 } };
   };
 
+  readonly asked: (string | number)[] = [];
+  readonly matrices = async () => {
+    this.asked.push('matrices');
+    return {};
+  };
+  readonly eliminationStep = async (request: EliminationStepRequest) => {
+    this.asked.push(request.columns);
+    await this.mayCompare;
+    return { ok: true, value: request };
+  };
+
   async settle(how: 'ok' | 'refused' | 'crash'): Promise<void> {
     await turn();
     const answer = this.answers.shift();
@@ -92,6 +106,8 @@ beforeEach(async () => {
   notices.value = [];
   frame.value = null;
   comparison.value = null;
+  route.value = springsRoute;
+  matrixWishes.value = noWishes;
   client = new FakeClient();
   session = new Session(client as unknown as SolverClient);
   const opening = session.open(scene, { ...defaultState, scene: 'pair' });
@@ -303,6 +319,45 @@ describe('the session', () => {
       dragging.value = 0;
       await client.settle('ok');
       expect(client.compared).toEqual([]);
+    });
+  });
+
+  describe('with the matrix room open', () => {
+    const open = () => {
+      route.value = { page: 'springs', room: 'matrices' };
+    };
+    const wish = (columns: number) => {
+      matrixWishes.value = { ...noWishes, step: { ordering: 'natural', columns } };
+    };
+
+    it('asks for the matrices and for the step that is wished for, and for no other when that has changed meanwhile', async () => {
+      open();
+      wish(1);
+      wish(2);
+      await turn();
+      let allow = () => {};
+      client.mayCompare = new Promise((done) => {
+        allow = done;
+      });
+      wish(3);
+      wish(4);
+      wish(5);
+      allow();
+      await turn();
+      expect(client.asked).toEqual(['matrices', 2, 3, 5]);
+      expect(matrices.value).not.toBeNull();
+      expect(eliminationStep.value?.columns).toBe(5);
+    });
+
+    it('waits while the clock runs', async () => {
+      playing.value = true;
+      setK(30); // matrices of which nothing is known yet
+      open();
+      await turn();
+      expect(client.asked).toEqual([]);
+      playing.value = false;
+      await client.settle('ok');
+      expect(client.asked).toEqual(['matrices']);
     });
   });
 });

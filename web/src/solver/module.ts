@@ -292,6 +292,7 @@ export interface SolverModule {
   Simulation: new () => Simulation;
   MistakenSimulation: new () => MistakenSimulation;
   SolvingExample: new (side: number) => SolvingExample;
+  Elimination: { prototype: Elimination };
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
   /** Of every Method, Mistake and Ordering, likewise. */
