@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
