@@ -118,6 +118,25 @@ test('stepping back gives the same bits, as far as the history goes', () => {
   expect(place(simulation)).toEqual(places[1]);
 });
 
+test('going back several time steps at once gives the same bits as one by one', () => {
+  const simulation = openSimulation(net(4), parameters);
+  const places = Array.from({ length: 6 }, () => {
+    expectOk(simulation.step());
+    return place(simulation);
+  });
+  for (const beyond of [0, 6, 7]) expect(simulation.back_to(beyond)).toBe(false);
+  expect(place(simulation)).toEqual(places[5]);
+  expectOk(simulation.seek(4));
+  expect(simulation.back_to(4)).toBe(true);
+  expect(place(simulation)).toEqual(places[3]);
+  expect(simulation.remembered_steps()).toBe(3);
+  expect(simulation.back_to(1)).toBe(true);
+  expect(place(simulation)).toEqual(places[0]);
+  expect(simulation.remembered_steps()).toBe(0);
+  expectOk(simulation.step());
+  expect(place(simulation)).toEqual(places[1]);
+});
+
 test('the history keeps 300 time steps', () => {
   const simulation = openSimulation(net(2), { ...parameters, iterations: 1 });
   for (let step = 0; step < 310; step++) expectOk(simulation.step());

@@ -45,6 +45,7 @@ const calls: { [Name in keyof Simulation]: [arguments: Parameters<Simulation[Nam
   seek: [[2], status],
   next_step: [[], status],
   previous_step: [[], expect.any(Boolean)],
+  back_to: [[1], expect.any(Boolean)],
   remembered_steps: [[], number],
   step_number: [[], number],
   half_step: [[], number],

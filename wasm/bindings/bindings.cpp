@@ -247,6 +247,7 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function("seek", &S::seek)
       .function("next_step", &S::next_step)
       .function("previous_step", &S::previous_step)
+      .function("back_to", &S::back_to)
       .function("remembered_steps", &S::remembered_steps)
       .function("step_number", &S::step_number)
       .function("half_step", &S::half_step)

@@ -15,9 +15,9 @@ class History {
 
   /// @param p  #V by 3, m
   void push(Points p);
-  /// The positions pushed last; there must be some.
-  const Points& latest() const { return steps_.back(); }
-  void drop_latest() { steps_.pop_back(); }
+  /// The positions pushed last for nth = 1, those before for 2, …, size().
+  const Points& latest(int nth) const { return steps_[steps_.size() - nth]; }
+  void drop_latest(int count) { steps_.resize(steps_.size() - count); }
   void clear() { steps_.clear(); }
   int size() const { return static_cast<int>(steps_.size()); }
 

@@ -120,15 +120,16 @@ Status Simulation::next_step() {
   return advance([this] { return seek(0); });
 }
 
-bool Simulation::previous_step() {
-  if (history_.size() == 0) return false;
-  State previous = state_;
-  previous.step_number -= 1;
-  previous.time_step.p_curr = state_.time_step.p_prev;
-  previous.time_step.p_prev = history_.latest();
+bool Simulation::back_to(int step_number) {
+  const int steps = state_.step_number - step_number;
+  if (steps < 1 || steps > history_.size()) return false;
+  State earlier = state_;
+  earlier.step_number = step_number;
+  earlier.time_step.p_curr = steps == 1 ? state_.time_step.p_prev : history_.latest(steps - 1);
+  earlier.time_step.p_prev = history_.latest(steps);
   const bool returned =
-      replace(std::move(previous), "", [this] { return seek(last_half_step()); }).ok();
-  if (returned) history_.drop_latest();
+      replace(std::move(earlier), "", [this] { return seek(last_half_step()); }).ok();
+  if (returned) history_.drop_latest(steps);
   return returned;
 }
 
@@ -161,13 +162,16 @@ Status Simulation::compare(Method method, int iterations, std::vector<double>& r
   const std::unique_ptr<Minimiser> minimiser = system_.minimiser(method, state_.time_step);
   minimiser->begin(state_.time_step.p_curr);
   const double objective = minimiser->objective();
-  const auto add_row = [&] {
+  const auto add_row = [&](double decrease) {
     const double k = minimiser->iterations();
-    rows.insert(rows.end(), {k, minimiser->objective() - objective, minimiser->gradient_norm()});
+    rows.insert(rows.end(),
+                {k, minimiser->objective() - objective, minimiser->gradient_norm(), decrease});
   };
-  add_row();
-  for (bool moved = true; moved && minimiser->iterations() < iterations; add_row()) {
+  add_row(nan);
+  for (bool moved = true; moved && minimiser->iterations() < iterations;) {
+    const double objective_before = minimiser->objective();
     moved = minimiser->iterate();
+    add_row(relative_decrease(objective_before, *minimiser));
   }
   return {};
 }

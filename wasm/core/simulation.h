@@ -26,8 +26,8 @@ namespace mass_spring {
 /// was.
 class Simulation {
  public:
-  /// Iteration, E(p^k) - E(p^0) in J and ‖∂E/∂p^k‖∞ in N, of every iteration.
-  static constexpr int compare_columns = 3;
+  /// Iteration, E(p^k) - E(p^0) in J, ‖∂E/∂p^k‖∞ in N and relative_decrease, of every iteration.
+  static constexpr int compare_columns = 4;
 
   void set_progress(StageProgress progress) { system_.set_progress(std::move(progress)); }
 
@@ -43,7 +43,9 @@ class Simulation {
   Status step();
   Status seek(int half_step);
   Status next_step();
-  bool previous_step();
+  /// Back to accept of an earlier time step that is remembered, which is retraced.
+  bool back_to(int step_number);
+  bool previous_step() { return back_to(state_.step_number - 1); }
   int remembered_steps() const { return history_.size(); }
 
   int step_number() const { return state_.step_number; }

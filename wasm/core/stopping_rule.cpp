@@ -15,13 +15,15 @@ static bool gradient_is_small(const StoppingRule& rule, const Minimiser& minimis
   return rule.gradient > 0 && minimiser.gradient_norm() <= rule.gradient;
 }
 
-// E^{k-1} - E^k ≤ ε max(1 J, |E^k|): what is left out of both does not change the difference, but
-// |E^k|.
 static bool decrease_is_small(const StoppingRule& rule, double objective_before,
                               const Minimiser& minimiser) {
+  return rule.decrease > 0 && relative_decrease(objective_before, minimiser) <= rule.decrease;
+}
+
+// What is left out of both objectives does not change their difference, but |E^k|.
+double relative_decrease(double objective_before, const Minimiser& minimiser) {
   const double objective = minimiser.objective() + minimiser.objective_offset();  // E^k, J
-  const double least = rule.decrease * std::max(1.0, std::abs(objective));
-  return rule.decrease > 0 && objective_before - minimiser.objective() <= least;
+  return (objective_before - minimiser.objective()) / std::max(1.0, std::abs(objective));
 }
 
 std::optional<Outcome> stop_at_start(const StoppingRule& rule, const Minimiser& minimiser) {

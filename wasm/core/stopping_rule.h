@@ -20,6 +20,10 @@ struct StoppingRule {
   double decrease = 0;  // ε: stop once an iteration lowers E by no more than ε max(1 J, |E|)
 };
 
+/// What `decrease` is compared with: (E^{k-1} - E^k) / max(1 J, |E^k|), dimensionless.
+/// @param objective_before  J: minimiser.objective() one iteration ago
+double relative_decrease(double objective_before, const Minimiser& minimiser);
+
 /// How a time step ended.
 struct Outcome {
   StopReason reason;

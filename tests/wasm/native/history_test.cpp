@@ -10,9 +10,11 @@ TEST_CASE("the latest steps are remembered, as many as fit in number") {
     history.push(Points::Constant(1, 3, step));
   }
   CHECK(history.size() == History::most_steps);
-  CHECK(history.latest()(0, 0) == History::most_steps + 4);
-  while (history.size() > 1) history.drop_latest();
-  CHECK(history.latest()(0, 0) == 5);
+  CHECK(history.latest(1)(0, 0) == History::most_steps + 4);
+  CHECK(history.latest(History::most_steps)(0, 0) == 5);
+  history.drop_latest(10);
+  CHECK(history.size() == History::most_steps - 10);
+  CHECK(history.latest(1)(0, 0) == History::most_steps - 6);
   history.clear();
   CHECK(history.size() == 0);
 }
@@ -22,7 +24,7 @@ TEST_CASE("large steps are remembered as long as they fit in memory") {
   const int vertices = static_cast<int>(History::most_bytes / 24 / 4);  // a quarter of the memory
   for (int step = 0; step < 6; ++step) history.push(Points::Constant(vertices, 3, step));
   CHECK(history.size() == 4);
-  CHECK(history.latest()(0, 0) == 5);
+  CHECK(history.latest(1)(0, 0) == 5);
 }
 
 }  // namespace mass_spring

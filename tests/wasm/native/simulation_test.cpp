@@ -30,6 +30,7 @@ TEST_CASE("without a scene every call says so, and every question has an empty a
     CHECK(status.code == StatusCode::no_scene);
   }
   CHECK_FALSE(simulation.previous_step());
+  CHECK_FALSE(simulation.back_to(0));
   CHECK(simulation.iterate().p.size() == 0);
   CHECK(simulation.gradient_at({}).size() == 0);
   CHECK(simulation.Q().empty());

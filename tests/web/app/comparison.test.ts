@@ -1,5 +1,13 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { compared, compareNewton, comparison, missingMethod, timeStep } from '../../../web/src/app/comparison.ts';
+import {
+  compared,
+  compareNewton,
+  comparison,
+  comparisonRequest,
+  missingMethod,
+  timeStep,
+} from '../../../web/src/app/comparison.ts';
+import { route, springsRoute } from '../../../web/src/app/route.ts';
 import { defaultState, frame, state } from '../../../web/src/app/state.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
 import type { Method } from '../../../web/src/solver/module.ts';
@@ -18,7 +26,14 @@ const goTo = (step: number) => {
 function finish(method: Method): void {
   const run: Outcome<MethodRun> = {
     ok: true,
-    value: { method, change: Float64Array.of(0), gradient: Float64Array.of(0), converged: true, milliseconds: 1 },
+    value: {
+      method,
+      change: Float64Array.of(0),
+      gradient: Float64Array.of(0),
+      decrease: Float64Array.of(Number.NaN),
+      converged: true,
+      milliseconds: 1,
+    },
   };
   compared(timeStep.value, method, run);
 }
@@ -35,6 +50,7 @@ function finishAll(): Method[] {
 
 beforeEach(() => {
   state.value = defaultState;
+  route.value = springsRoute;
   comparison.value = null;
   goTo(1);
   showing('comparison');
@@ -56,6 +72,24 @@ describe('the comparison', () => {
   it('has Newton’s method without asking once that is the method chosen', () => {
     setParameters({ method: 'newton' });
     expect(finishAll()).toEqual(['lbfgs', 'local-global', 'chebyshev', 'anderson', 'newton']);
+  });
+
+  it('is made in the convergence room with Newton’s method, which takes no longer there than a click can wait', () => {
+    showing('trace');
+    goTo(7); // for which nobody has asked yet
+    route.value = { page: 'springs', room: 'convergence' };
+    expect(finishAll()).toEqual(['lbfgs', 'local-global', 'chebyshev', 'anderson', 'newton']);
+    const unasked = comparisonRequest('newton').patience_ms;
+    compareNewton();
+    expect(comparisonRequest('newton').patience_ms).toBeGreaterThan(unasked);
+  });
+
+  it.each([
+    { page: 'lesson', section: null },
+    { page: 'springs', room: 'matrices' },
+  ] as const)('is not made where it is not shown: %j', (elsewhere) => {
+    route.value = elsewhere;
+    expect(missingMethod.value).toBeNull();
   });
 
   it('is made anew for another time step, and Newton’s method asked for again', () => {

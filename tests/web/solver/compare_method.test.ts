@@ -11,7 +11,7 @@ function fakeSimulation(cost: number, last = Number.POSITIVE_INFINITY) {
     asked.push(iterations);
     const made = Math.min(iterations, last);
     clock.pass(made * cost);
-    const rows = Array.from({ length: made + 1 }, (__, k) => [k, 2 ** -k - 1, 2 ** -k]);
+    const rows = Array.from({ length: made + 1 }, (__, k) => [k, 2 ** -k - 1, 2 ** -k, 3 ** -k]);
     return { status: { code: 'ok', field: '', index: -1, value: 0 }, rows: Float64Array.from(rows.flat()) };
   };
   return { asked, simulation: { compare } as unknown as Simulation };
@@ -30,9 +30,9 @@ function run(simulation: Simulation) {
 describe('compareMethod', () => {
   it('makes all iterations of a cheap method, and says what each costs', () => {
     const { simulation } = fakeSimulation(0.25);
-    const { change, gradient, converged, milliseconds } = run(simulation);
-    expect([change.length, gradient.length, converged]).toEqual([101, 101, false]);
-    expect([change[0], change[2], gradient[2]]).toEqual([0, -0.75, 0.25]);
+    const { change, gradient, decrease, converged, milliseconds } = run(simulation);
+    expect([change.length, gradient.length, decrease.length, converged]).toEqual([101, 101, 101, false]);
+    expect([change[0], change[2], gradient[2], decrease[2]]).toEqual([0, -0.75, 0.25, 1 / 9]);
     expect(milliseconds).toBe(0.25);
   });
 

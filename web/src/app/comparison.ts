@@ -2,6 +2,8 @@ import { computed, signal } from '@preact/signals';
 import type { Method, Status } from '../solver/module.ts';
 import type { MethodRequest, MethodRun, Outcome } from '../solver/protocol.ts';
 import { roundingOf } from '../solver/rounding_of.ts';
+import { limits } from './limits.ts';
+import { route } from './route.ts';
 import { frame, parameters, pins, scene, state } from './state.ts';
 
 /** A time step as a problem: p^t, p^{t−Δt} and everything E(p) depends on. */
@@ -19,16 +21,20 @@ export interface Comparison {
   rounding: number;
 }
 
+/** ms that Newton's method may take: asked for, and where it comes unasked, since a click then waits for its end. */
+const newtonPatience_ms = { asked: 10_000, unasked: 3_000 };
+
 /** How one method is run for it. */
 export function comparisonRequest(method: Method): MethodRequest {
   return {
     method,
-    iterations: method === 'lbfgs' ? 1000 : 100, // L-BFGS goes on to the minimum, which all are measured against
-    patience_ms: method === 'newton' ? 10_000 : 200,
+    // As many as a time step may make; L-BFGS goes on to the minimum, which all are measured against.
+    iterations: method === 'lbfgs' ? 1000 : limits.iterations.max,
+    patience_ms: method === 'newton' ? newtonPatience_ms[newtonAsked.value ? 'asked' : 'unasked'] : 200,
   };
 }
 
-/** Newton's method comes only when chosen or asked for: it can take seconds. L-BFGS first: without E* there is no gap to draw. */
+/** Newton's method can take seconds: it comes when chosen or asked for, and in the convergence room. L-BFGS first: without E* there is no gap to draw. */
 const quickMethods: readonly Method[] = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
 
 export const comparison = signal<Comparison | null>(null);
@@ -48,15 +54,22 @@ export const timeStep = computed<TimeStep>(() => {
   return { step: step.value };
 });
 
-/** Whether the comparison is to have Newton's method too. */
-export const newtonWanted = computed(
-  () => parameters.value.method === 'newton' || newtonAskedFor.value === timeStep.value,
+/** What of the springs lab is open; undefined elsewhere. */
+const room = computed(() => (route.value.page === 'springs' ? route.value.room : undefined));
+
+const isShown = computed(
+  () => room.value === 'convergence' || (room.value === null && state.value.view.plot === 'comparison'),
 );
+
+const newtonAsked = computed(() => parameters.value.method === 'newton' || newtonAskedFor.value === timeStep.value);
+
+/** Whether the comparison is to have Newton's method too. */
+export const newtonWanted = computed(() => newtonAsked.value || room.value === 'convergence');
 
 /** What the comparison on the page still lacks. */
 export const missingMethod = computed<Method | null>(() => {
   const now = timeStep.value; // read whether or not it is needed: what is not followed could change and change back unseen
-  if (state.value.view.plot !== 'comparison') return null;
+  if (!isShown.value) return null;
   const done = comparison.value?.of === now ? comparison.value : null;
   const wanted: readonly Method[] = newtonWanted.value ? [...quickMethods, 'newton'] : quickMethods;
   return wanted.find((method) => !isIn(done, method)) ?? null;

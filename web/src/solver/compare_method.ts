@@ -29,8 +29,9 @@ export function compareMethod(
 
   const change = column(attempt.rows, 'change');
   const gradient = column(attempt.rows, 'gradient');
+  const decrease = column(attempt.rows, 'decrease');
   const milliseconds = meanTime(simulation, method, made, attempt) / Math.max(1, change.length - 1);
-  return { ok: true, value: { method, change, gradient, converged: attempt.converged, milliseconds } };
+  return { ok: true, value: { method, change, gradient, decrease, converged: attempt.converged, milliseconds } };
 }
 
 function attemptOf(simulation: Simulation, method: Method, iterations: number): Attempt {

@@ -149,7 +149,9 @@ export interface Simulation {
   next_step(): Status;
   /** Back to accept of the previous time step (retraced). False when there is none remembered. */
   previous_step(): boolean;
-  /** How many earlier time steps previous_step() could still return to. */
+  /** Back to accept of an earlier time step, retraced. False, and nothing changed, where that step is not earlier or not remembered. */
+  back_to(step: number): boolean;
+  /** How many earlier time steps can still be returned to. */
   remembered_steps(): number;
 
   step_number(): number;
@@ -188,7 +190,8 @@ export interface Simulation {
   trace(): Float64Array;
   /**
    * The current time step by any method, from p^t with the pins where they are held; cursor and trace stay. A row of `compareColumns` for every
-   * iteration from 0 until `iterations` are made or E falls no further, row-major: E(p^k) − E(p^0) and ‖∂E/∂p‖∞ of the vertices that are free.
+   * iteration from 0 until `iterations` are made or E falls no further, row-major: E(p^k) − E(p^0), ‖∂E/∂p‖∞ of the vertices that are free, and
+   * what `stop_decrease` is compared with, (E(p^{k−1}) − E(p^k)) / max(1 J, |E(p^k)|), NaN for k = 0.
    */
   compare(method: Method, iterations: number): { status: Status; rows: Float64Array };
   /** So many local steps (on the fast path: ∂E/∂p) or global steps (Q⁻¹) from p^t, whose results nobody uses: to be timed from outside. */
@@ -239,8 +242,8 @@ export const traceColumns = [
   'change',
 ] as const;
 
-/** J, N. */
-export const compareColumns = ['iteration', 'change', 'gradient'] as const;
+/** J, N, dimensionless. */
+export const compareColumns = ['iteration', 'change', 'gradient', 'decrease'] as const;
 
 /** P Q Pᵀ = L Lᵀ in a given order of elimination. Rows and columns are numbered in that order. */
 export interface Elimination {

@@ -28,6 +28,8 @@ export type Command =
   | { kind: 'previous_half_step' }
   | { kind: 'next_step' }
   | { kind: 'previous_step' }
+  /** To accept of another time step: an earlier one, or no farther back than is remembered; a later one is computed on the way. */
+  | { kind: 'go_to_step'; step: number }
   | { kind: 'reset' };
 
 /** Every request carries all the settings: the worker keeps none that the page could lose or contradict. */
@@ -57,7 +59,9 @@ export interface MethodRun {
   change: Float64Array;
   /** and ‖∂E/∂p^k‖∞ of the vertices that are free to move, N. */
   gradient: Float64Array;
-  /** Whether it ended because E falls no further. */
+  /** and what `stop_decrease` is compared with, (E(p^{k−1}) − E(p^k)) / max(1 J, |E(p^k)|); NaN for k = 0. */
+  decrease: Float64Array;
+  /** Whether it ended because E falls no further: its last iteration then changed nothing. */
   converged: boolean;
   /** Wall-clock ms of one iteration, on average. */
   milliseconds: number;

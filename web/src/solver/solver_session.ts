@@ -121,6 +121,8 @@ export class SolverSession {
       case 'previous_step':
         s.previous_step();
         return ok;
+      case 'go_to_step':
+        return this.goToStep(command.step);
       case 'reset':
         return s.reset();
       case 'play': {
@@ -131,6 +133,16 @@ export class SolverSession {
         return ok;
       }
     }
+  }
+
+  private goToStep(step: number): Status {
+    const s = this.simulation;
+    if (step < s.step_number()) s.back_to(Math.max(step, s.step_number() - s.remembered_steps()));
+    while (s.step_number() < step) {
+      const status = s.step(); // the first one completes the time step that the cursor stands in
+      if (status.code !== 'ok') return status;
+    }
+    return s.seek(s.last_half_step());
   }
 
   private reply(status: Status, request: Request, started: number): Outcome<Reply> {

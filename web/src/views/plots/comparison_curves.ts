@@ -17,8 +17,10 @@ export interface Curve {
   method: Method;
   /** Of one iteration. */
   milliseconds: number;
-  /** As far as E falls by more than rounding. */
+  /** Every iterate that was made. */
   points: readonly CurvePoint[];
+  /** The first iteration that comes down to E* up to rounding; if none does, the last. */
+  last: number;
 }
 
 /** Where E*, the lowest objective of all the runs, was reached up to rounding. */
@@ -29,11 +31,24 @@ export interface Minimum {
   converged: boolean;
 }
 
-/** Iterations that the horizontal axis has room for: what E* needed may be many more. */
+/** Iterations that the horizontal axis has room for at least: what E* needed may be many more. */
 export const shownIterations = 100;
 
-/** Against what the gap is drawn. */
+/** Against what the curves are drawn. */
 export type Abscissa = 'iterations' | 'milliseconds';
+
+/** What is drawn: E(p^k) − E*, J, or ‖∂E/∂p^k‖∞, N. */
+export type Ordinate = 'gap' | 'gradient';
+
+/** On a log axis. Null where that has no place for it. */
+export function heightOf({ gap, gradient }: CurvePoint, ordinate: Ordinate): number | null {
+  return ordinate === 'gap' ? gap : gradient || null;
+}
+
+/** What is worth drawing: the gap down to where it is nothing but rounding, the gradient of every iterate. */
+export function drawnPoints({ points, last }: Curve, ordinate: Ordinate): readonly CurvePoint[] {
+  return ordinate === 'gap' ? points.slice(0, last + 1) : points;
+}
 
 export function abscissaOf(point: CurvePoint, abscissa: Abscissa): number {
   return abscissa === 'iterations' ? point.iteration : point.milliseconds;
@@ -55,44 +70,55 @@ export function comparisonCurves(runs: readonly MethodRun[], rounding: number): 
 
 /** Several may have come there up to rounding: then the one of the fewest iterations is named. */
 function minimumOf(runs: readonly MethodRun[], curves: readonly Curve[]): Minimum {
-  const reached = curves.filter(({ points }) => points[points.length - 1].gap === null);
-  const { method, points } = reached.reduce((first, next) => (next.points.length < first.points.length ? next : first));
+  const reached = curves.filter(({ points, last }) => points[last].gap === null);
+  const { method, last } = reached.reduce((first, next) => (next.last < first.last ? next : first));
   const converged = runs.some((run) => run.converged && reached.some((curve) => curve.method === run.method));
-  return { method, iteration: points.length - 1, converged };
+  return { method, iteration: last, converged };
 }
 
 function curveOf({ method, milliseconds, change, gradient }: MethodRun, lowest: number, least: number): Curve {
+  const floor = change.findIndex((value) => value - lowest <= least);
+  const last = floor < 0 ? change.length - 1 : floor;
   const points = Array.from(change, (value, iteration) => ({
     iteration,
     milliseconds: iteration * milliseconds,
-    gap: value - lowest > least ? value - lowest : null,
+    gap: floor < 0 || iteration < floor ? value - lowest : null,
     gradient: gradient[iteration],
   }));
-  const floor = points.findIndex(({ gap }) => gap === null);
-  return { method, milliseconds, points: floor < 0 ? points : points.slice(0, floor + 1) };
+  return { method, milliseconds, points, last };
 }
 
 function lowestChange({ change }: MethodRun): number {
   return change.reduce((low, value) => Math.min(low, value));
 }
 
-/** Both ends of the horizontal axis: iterations, or whole decades of ms in which all curves find room. */
-export function abscissaRange(curves: readonly Curve[], abscissa: Abscissa): [number, number] {
-  if (abscissa === 'iterations') return [0, shownIterations];
+/** Both ends of the horizontal axis: iterations, K among them, or whole decades of ms in which all curves find room. */
+export function abscissaRange(curves: readonly Curve[], abscissa: Abscissa, iterations: number): [number, number] {
+  if (abscissa === 'iterations') return [0, Math.max(shownIterations, iterations)];
   const first = curves.map(({ milliseconds }) => milliseconds);
-  const last = curves.map(({ points, milliseconds }) => (points.length - 1) * milliseconds);
-  return decadesAround(Math.min(...first), Math.max(...last));
+  const last = curves.map((curve) => curve.last * curve.milliseconds);
+  return decadesAround(Math.min(...first), Math.max(...first, ...last));
 }
 
 /** Where numbers are read off at first: after the K iterations of a time step, or after the time that local/global takes for them. */
 export function firstPlace(curves: readonly Curve[], abscissa: Abscissa, iterations: number): number {
-  const K = Math.min(iterations, shownIterations);
-  if (abscissa === 'iterations') return K;
+  if (abscissa === 'iterations') return iterations;
   const { milliseconds } = curves.find(({ method }) => method === 'local-global') ?? curves[0];
-  return K * milliseconds;
+  return iterations * milliseconds;
+}
+
+/**
+ * What is left of the gap at the start after so many iterations, or as many as the method could make; 0 where that is nothing but rounding. Null
+ * where there was no gap, or where the run was given up before.
+ */
+export function gapLeft({ points, last }: Curve, iterations: number): number | null {
+  const [{ gap: first }] = points;
+  const { gap } = points[Math.min(iterations, last)];
+  if (first === null || (last < iterations && gap !== null)) return null;
+  return (gap ?? 0) / first;
 }
 
 /** How far a curve has come at a place of the horizontal axis. */
-export function pointAt({ points }: Curve, abscissa: Abscissa, place: number): CurvePoint {
-  return points.findLast((point) => abscissaOf(point, abscissa) <= place) ?? points[0];
+export function pointAt({ points, last }: Curve, abscissa: Abscissa, place: number): CurvePoint {
+  return points.slice(0, last + 1).findLast((point) => abscissaOf(point, abscissa) <= place) ?? points[0];
 }

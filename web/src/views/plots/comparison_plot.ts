@@ -1,14 +1,9 @@
 import uPlot from 'uplot';
-import { abscissaOf } from './comparison_curves.ts';
+import { abscissaOf, drawnPoints, heightOf } from './comparison_curves.ts';
 import { type CurveMarks, drawCurves } from './draw_curves.ts';
 import { decadesAround } from './log_axis.ts';
 import { pageStyle, powersOfTen } from './plot_axes.ts';
 import type { Plot } from './use_plot.ts';
-
-export interface ComparisonPlotState extends CurveMarks {
-  /** Both ends of the horizontal axis: iterations, or ms. */
-  range: readonly [number, number];
-}
 
 /** The curves are drawn by us, each with an abscissa of its own; uPlot draws the axes, and does so only where there are data. */
 const noData: uPlot.AlignedData = [
@@ -16,11 +11,13 @@ const noData: uPlot.AlignedData = [
   [1, 1],
 ];
 
-/** E(p^k) − E* on a log axis, against iterations or, on another log axis, against ms. One owner makes it and destroys it. */
-export class ComparisonPlot implements Plot<ComparisonPlotState> {
-  private state: ComparisonPlotState = {
+/** E(p^k) − E* or ‖∂E/∂p^k‖∞ on a log axis, against iterations or, on another log axis, against ms. One owner makes it and destroys it. */
+export class ComparisonPlot implements Plot<CurveMarks> {
+  private state: CurveMarks = {
     curves: [],
+    stops: new Map(),
     abscissa: 'iterations',
+    ordinate: 'gap',
     range: [0, 1],
     inspected: 0,
     stale: false,
@@ -36,7 +33,7 @@ export class ComparisonPlot implements Plot<ComparisonPlotState> {
     this.plot = this.build();
   }
 
-  update(state: ComparisonPlotState): void {
+  update(state: CurveMarks): void {
     const sameAxis = state.abscissa === this.state.abscissa;
     this.state = state;
     if (sameAxis) this.plot.setData(noData);
@@ -83,10 +80,12 @@ export class ComparisonPlot implements Plot<ComparisonPlotState> {
   }
 
   private decades(): [number, number] {
-    const { curves, abscissa, range } = this.state;
-    const points = curves.flatMap((curve) => curve.points).filter((point) => abscissaOf(point, abscissa) <= range[1]);
-    const gaps = points.flatMap(({ gap }) => gap ?? []);
-    return gaps.length > 0 ? decadesAround(Math.min(...gaps), Math.max(...gaps)) : decadesAround(null, null);
+    const { curves, abscissa, ordinate, range } = this.state;
+    const heights = curves
+      .flatMap((curve) => drawnPoints(curve, ordinate))
+      .filter((point) => abscissaOf(point, abscissa) <= range[1])
+      .flatMap((point) => heightOf(point, ordinate) ?? []);
+    return heights.length > 0 ? decadesAround(Math.min(...heights), Math.max(...heights)) : decadesAround(null, null);
   }
 
   private inspect({ cursor: { left = -1 }, posToVal }: uPlot): void {

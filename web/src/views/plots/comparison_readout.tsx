@@ -4,7 +4,7 @@ import { t } from '../../app/messages/index.ts';
 import { refusalParams } from '../../app/refusal_params.ts';
 import { formatNumber } from '../../lib/format.ts';
 import { type Method, methods } from '../../solver/module.ts';
-import { type Abscissa, type Curve, type CurvePoint, pointAt } from './comparison_curves.ts';
+import { type Abscissa, type Curve, type CurvePoint, type Ordinate, pointAt } from './comparison_curves.ts';
 import { methodStyles } from './method_styles.ts';
 
 interface Props {
@@ -40,13 +40,13 @@ export function ComparisonReadout(props: Props) {
     return curve ? <Numbers point={pointAt(curve, abscissa, place)} /> : <td colSpan={4}>{instead(method)}</td>;
   };
   return (
-    <table class="comparison-readout">
+    <table class="comparison-numbers comparison-readout">
       <caption>{caption}</caption>
       <thead>
         <tr>
           <th scope="col">{t('methods.label')}</th>
-          <th scope="col">{t('plots.comparison.gapShort')}, J</th>
-          <th scope="col">{t('plots.gradient')}, N</th>
+          <th scope="col">{heightUnit('gap')}</th>
+          <th scope="col">{heightUnit('gradient')}</th>
           <th scope="col">{t(`plots.comparison.${abscissa === 'iterations' ? 'stoppedAfter' : 'iterations'}`)}</th>
           <th scope="col">{t('plots.comparison.milliseconds')}</th>
         </tr>
@@ -84,7 +84,7 @@ function Numbers({ point: { iteration, milliseconds, gap, gradient } }: { point:
   );
 }
 
-function Swatch({ method }: { method: Method }) {
+export function Swatch({ method }: { method: Method }) {
   const { colour, dash } = methodStyles[method];
   return (
     <svg class="swatch" viewBox="0 0 32 4" aria-hidden="true">
@@ -101,12 +101,20 @@ function Swatch({ method }: { method: Method }) {
   );
 }
 
-/** The gaps in a line, for those who hear them. */
-export function readOff(curves: readonly Curve[], abscissa: Abscissa, place: number): string {
-  const gaps = curves.map(
-    (curve) => `${t(`methods.name.${curve.method}`)} ${gapText(pointAt(curve, abscissa, place).gap)}`,
+/** The curves' heights in a line, for those who hear them. */
+export function readOff(curves: readonly Curve[], ordinate: Ordinate, abscissa: Abscissa, place: number): string {
+  const heights = curves.map(
+    (curve) => `${t(`methods.name.${curve.method}`)} ${heightText(pointAt(curve, abscissa, place), ordinate)}`,
   );
-  return `${t('plots.comparison.gapShort')}, J: ${gaps.join('; ')}`;
+  return `${heightUnit(ordinate)}: ${heights.join('; ')}`;
+}
+
+export function heightUnit(ordinate: Ordinate): string {
+  return ordinate === 'gap' ? `${t('plots.comparison.gapShort')}, J` : `${t('plots.gradient')}, N`;
+}
+
+export function heightText({ gap, gradient }: CurvePoint, ordinate: Ordinate): string {
+  return ordinate === 'gap' ? gapText(gap) : formatNumber(gradient, 2);
 }
 
 export function gapText(gap: number | null): string {

@@ -2,19 +2,20 @@ import { useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
 import type { MethodRun } from '../../solver/protocol.ts';
 import { comparisonCsv } from './comparison_csv.ts';
-import { type Curve, shownIterations } from './comparison_curves.ts';
-import { gapText } from './comparison_readout.tsx';
+import { type Curve, type Ordinate, shownIterations } from './comparison_curves.ts';
+import { heightText, heightUnit } from './comparison_readout.tsx';
 import { downloadText } from './download.ts';
 
 interface Props {
   step: number;
   caption: string;
   curves: readonly Curve[];
+  ordinate: Ordinate;
   runs: readonly MethodRun[];
 }
 
 /** Every number of the plot as text, folded away until wanted. */
-export function ComparisonTable({ step, caption, curves, runs }: Props) {
+export function ComparisonTable({ step, caption, curves, ordinate, runs }: Props) {
   const [open, setOpen] = useState(false);
   const download = () => downloadText(`methods-step-${step}.csv`, 'text/csv', comparisonCsv(runs));
   return (
@@ -23,24 +24,26 @@ export function ComparisonTable({ step, caption, curves, runs }: Props) {
       <button type="button" onClick={download}>
         {t('plots.download')}
       </button>
-      {open && <Rows caption={caption} curves={curves} />}
+      {open && <Rows caption={caption} curves={curves} ordinate={ordinate} />}
     </details>
   );
 }
 
-function Rows({ caption, curves }: Pick<Props, 'caption' | 'curves'>) {
-  const longest = Math.max(...curves.map(({ points }) => points.length - 1));
+function Rows({ caption, curves, ordinate }: Pick<Props, 'caption' | 'curves' | 'ordinate'>) {
+  const longest = Math.max(...curves.map(({ last }) => last));
   const iterations = Array.from({ length: Math.min(longest, shownIterations) + 1 }, (_, k) => k);
   return (
     <div class="trace-table-scroll">
       <table>
-        <caption>{caption}</caption>
+        <caption>
+          {heightUnit(ordinate)}. {caption}
+        </caption>
         <thead>
           <tr>
             <th scope="col">{t('plots.comparison.iterations')}</th>
             {curves.map(({ method }) => (
               <th key={method} scope="col">
-                {t(`methods.name.${method}`)}, J
+                {t(`methods.name.${method}`)}
               </th>
             ))}
           </tr>
@@ -49,8 +52,8 @@ function Rows({ caption, curves }: Pick<Props, 'caption' | 'curves'>) {
           {iterations.map((k) => (
             <tr key={k}>
               <th scope="row">{k}</th>
-              {curves.map(({ method, points }) => (
-                <td key={method}>{points[k] ? gapText(points[k].gap) : ''}</td>
+              {curves.map(({ method, points, last }) => (
+                <td key={method}>{k <= last ? heightText(points[k], ordinate) : ''}</td>
               ))}
             </tr>
           ))}

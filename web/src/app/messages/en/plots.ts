@@ -30,13 +30,18 @@ export const plots = {
   download: 'Download CSV',
   comparison: {
     invite: 'Pause to see this time step solved by every method.',
-    gap: 'What is left to the minimum, E − E* (J, log scale)',
+    height: 'What is drawn',
+    gap: 'What is left to the minimum: E − E* (J, log scale)',
+    gradient: 'The largest force left unbalanced, a component of the gradient of E (N, log scale)',
     against: 'Horizontal axis',
     iterations: 'iterations',
     milliseconds: 'ms',
     inspect: 'Place to read off',
-    label:
-      'What {{methods}} methods leave of E − E* in time step {{step}}. The tables below have all numbers; arrow keys on the slider before read them off.',
+    label: {
+      gap: 'What {{methods}} methods leave of E − E* in time step {{step}}. The tables below have all numbers; arrow keys on the slider before read them off.',
+      gradient:
+        'What {{methods}} methods leave of the gradient of E in time step {{step}}. The tables below have all numbers; arrow keys on the slider before read them off.',
+    },
     afterIterations: 'After {{place}} iterations',
     stoppedAfter: 'stopped after',
     afterTime: 'After {{place}}',
@@ -47,6 +52,21 @@ export const plots = {
     refused: 'Refused: it would need {{value}} of memory, and the solver takes {{limit}} at most.',
     minimum: 'E* is the lowest E found here: by {{name}} in iteration {{iteration}}, from where it falls no further.',
     lowest: 'E* is the lowest E found here: by {{name}} in iteration {{iteration}}, still falling.',
+    mark: 'where the time step ends: {{rule}}',
+    ends: 'The time step ends {{rule}}',
+    endedBy: 'ended by',
+    rule: {
+      never: 'after {{iterations}} iterations',
+      stop_gradient: 'once the gradient of E is ≤ {{epsilon}} N, at most {{iterations}} iterations',
+      stop_decrease: 'once E falls by ≤ {{epsilon}} of itself, at most {{iterations}} iterations',
+    },
+    stop: {
+      iterations: 'the count, K',
+      gradient: 'gradient ≤ ε',
+      decrease: 'decrease ≤ ε',
+      rounding: 'only rounding left',
+    },
+    notReached: 'Later than the {{iterations}} iterations that were computed here.',
     data: 'Table of all iterations',
   },
 };

@@ -32,12 +32,18 @@ export const plots: Catalogue<typeof en> = {
   download: '下载 CSV',
   comparison: {
     invite: '暂停后可以看到用各种方法求解这一时间步。',
+    height: '纵轴',
     gap: '与极小值之差 E − E*（J，对数刻度）',
+    gradient: '剩余的最大不平衡力，即 E 的梯度的最大分量（N，对数刻度）',
     against: '横轴',
     iterations: '迭代次数',
     milliseconds: '毫秒',
     inspect: '读数位置',
-    label: '时间步 {{step}} 中 {{methods}} 种方法的 E − E*。全部数值见下方表格；也可在前面的滑块上用方向键逐点读数。',
+    label: {
+      gap: '时间步 {{step}} 中 {{methods}} 种方法的 E − E*。全部数值见下方表格；也可在前面的滑块上用方向键逐点读数。',
+      gradient:
+        '时间步 {{step}} 中 {{methods}} 种方法的 E 的梯度。全部数值见下方表格；也可在前面的滑块上用方向键逐点读数。',
+    },
     afterIterations: '迭代 {{place}} 次之后',
     stoppedAfter: '停止于',
     afterTime: '{{place}} 之后',
@@ -48,6 +54,21 @@ export const plots: Catalogue<typeof en> = {
     refused: '未能计算：需要 {{value}} 内存，超过求解器允许的 {{limit}}。',
     minimum: 'E* 是这里得到的最低的 E：{{name}}第 {{iteration}} 次迭代所得，此后不再下降。',
     lowest: 'E* 是这里得到的最低的 E：{{name}}第 {{iteration}} 次迭代所得，尚在下降。',
+    mark: '时间步在此结束：{{rule}}',
+    ends: '时间步结束于：{{rule}}',
+    endedBy: '结束原因',
+    rule: {
+      never: '迭代 {{iterations}} 次之后',
+      stop_gradient: 'E 的梯度 ≤ {{epsilon}} N 时，至多迭代 {{iterations}} 次',
+      stop_decrease: 'E 的相对下降量 ≤ {{epsilon}} 时，至多迭代 {{iterations}} 次',
+    },
+    stop: {
+      iterations: '达到次数 K',
+      gradient: '梯度 ≤ ε',
+      decrease: '相对下降量 ≤ ε',
+      rounding: '只剩舍入误差',
+    },
+    notReached: '在这里算出的 {{iterations}} 次迭代之内尚未结束。',
     data: '全部迭代的数值表',
   },
 };
