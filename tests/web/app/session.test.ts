@@ -8,6 +8,7 @@ import {
   defaultState,
   dragging,
   frame,
+  furthestStep,
   liveFrame,
   playing,
   scene as sceneSignal,
@@ -40,6 +41,8 @@ const turn = () => new Promise((done) => setTimeout(done));
 /** A client that answers when told to, so that what happens in between can be looked at. */
 class FakeClient {
   readonly requests: Request[] = [];
+  /** That the solver stands in when it answers. */
+  step = 1;
   private readonly answers: { resolve: (outcome: Outcome<Opened>) => void; reject: (reason: Error) => void }[] = [];
 
   private readonly ask = (request: Request) => {
@@ -56,7 +59,10 @@ class FakeClient {
     this.compared.push(method);
     await this.mayCompare;
     const zero = Float64Array.of(0);
-    return { ok: true, value: { method, change: zero, gradient: zero, converged: true, milliseconds: 1 } };
+    return {
+      ok: true,
+      value: { method, change: zero, gradient: zero, decrease: zero, converged: true, milliseconds: 1 },
+    };
   };
 
   readonly asked: (string | number)[] = [];
@@ -77,7 +83,10 @@ class FakeClient {
     if (how === 'crash') answer.reject(new SolverCrash('unreachable'));
     else if (how === 'refused')
       answer.resolve({ ok: false, status: { code: 'too_stiff', field: 'k', index: -1, value: 2e9, limit: 1e9 } });
-    else answer.resolve({ ok: true, value: { frame: { ...paused }, checkpoint: checkpoint(), r: Float64Array.of(1) } });
+    else {
+      const shown = { ...paused, step: this.step };
+      answer.resolve({ ok: true, value: { frame: shown, checkpoint: checkpoint(), r: Float64Array.of(1) } });
+    }
     await turn();
   }
 
@@ -142,6 +151,32 @@ describe('the session', () => {
     expect(client.unanswered).toBe(1);
     await client.settle('ok');
     expect(client.unanswered).toBe(1);
+  });
+
+  it('goes where a slider is left, not everywhere it was dragged through', async () => {
+    for (let half_step = 1; half_step < 9; half_step++) session.order({ kind: 'seek', half_step });
+    for (let step = 1; step < 9; step++) session.order({ kind: 'go_to_step', step });
+    for (let request = 0; request < 3; request++) await client.settle('ok');
+    expect(client.requests.map(({ command }) => command)).toEqual([
+      { kind: 'seek', half_step: 1 }, // in flight while the others came
+      { kind: 'seek', half_step: 8 },
+      { kind: 'go_to_step', step: 8 },
+    ]);
+    expect(client.unanswered).toBe(0);
+  });
+
+  it('remembers how far time has come when one goes back, until a reset', async () => {
+    for (const [command, step, furthest] of [
+      [{ kind: 'next_step' }, 5, 5],
+      [{ kind: 'go_to_step', step: 2 }, 2, 5],
+      [{ kind: 'next_step' }, 3, 5],
+      [{ kind: 'reset' }, 1, 1],
+    ] as const) {
+      client.step = step;
+      session.order(command);
+      await client.settle('ok');
+      expect(furthestStep.value).toBe(furthest);
+    }
   });
 
   it('resets instead of the moves that wait', async () => {

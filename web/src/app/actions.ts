@@ -65,6 +65,10 @@ export class Actions {
   previousStep(): void {
     this.pausedAnd({ kind: 'previous_step' });
   }
+  /** To the end of another time step; a later one is computed on the way. */
+  goToStep(step: number): void {
+    this.pausedAnd({ kind: 'go_to_step', step });
+  }
   seek(half_step: number): void {
     this.pausedAnd({ kind: 'seek', half_step });
   }
@@ -177,6 +181,12 @@ export class Actions {
     await this.openAfresh((signal) => findScene(name, signal));
   }
 
+  /** Opens a scene of the library, its own parameters changed by these, at the end of a time step. */
+  async openStep(name: string, parameters: AppState['parameters'], step: number): Promise<void> {
+    this.pause();
+    if (await this.openAfresh((signal) => findScene(name, signal), parameters)) this.goToStep(step);
+  }
+
   /** Goes where a link leads. What the lab already shows goes on as it stood. */
   async follow({ route: to, state: wanted }: Link): Promise<void> {
     route.value = to; // before a scene is read: its end must not bring back a reader who has gone on
@@ -225,11 +235,11 @@ export class Actions {
     } else this.session.cancel();
   }
 
-  private async openAfresh(find: Find): Promise<void> {
+  private async openAfresh(find: Find, parameters: AppState['parameters'] = {}): Promise<boolean> {
     dismissErrors();
-    await this.open(find, ({ name }) => ({
+    return this.open(find, ({ name }) => ({
       scene: name,
-      parameters: {},
+      parameters,
       pins: null,
       selection: defaultState.selection,
       view: { ...state.value.view, camera: null },

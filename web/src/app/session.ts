@@ -15,6 +15,7 @@ import {
   type AppState,
   dragging,
   frame,
+  furthestStep,
   liveFrame,
   parameters,
   parametersOn,
@@ -136,6 +137,7 @@ export class Session {
           r.value = outcome.value.r;
           liveFrame.value = outcome.value.frame;
           frame.value = outcome.value.frame;
+          furthestStep.value = outcome.value.frame.step;
         });
         return true;
       }
@@ -150,8 +152,14 @@ export class Session {
   order(command: Command): void {
     this.halted = false;
     if (command.kind === 'reset') this.queue.length = 0; // from wherever those would have led
+    if (this.replaces(command)) this.queue.pop();
     if (this.queue.length < longestQueue) this.queue.push(command);
     void this.pump();
+  }
+
+  /** A slider being dragged asks for many places on the way to one. */
+  private replaces({ kind }: Command): boolean {
+    return (kind === 'seek' || kind === 'go_to_step') && this.queue.at(-1)?.kind === kind;
   }
 
   private async pump(): Promise<void> {
@@ -234,7 +242,7 @@ export class Session {
       const outcome = await this.client.run(request);
       if (outcome.ok) {
         this.accepted = settings;
-        this.show(outcome.value.frame);
+        this.show(outcome.value.frame, request.command);
         this.measured(request.command, outcome.value.frame);
       } else {
         this.explain(outcome.status);
@@ -246,13 +254,14 @@ export class Session {
     }
   }
 
-  private show(next: Frame): void {
+  private show(next: Frame, command: Command): void {
     const now = performance.now();
     const legible = !playing.value || now >= this.legibleSince + legible_ms;
     if (legible) this.legibleSince = now;
     batch(() => {
       liveFrame.value = next;
       if (legible) frame.value = next;
+      furthestStep.value = command.kind === 'reset' ? next.step : Math.max(next.step, furthestStep.value);
     });
   }
 

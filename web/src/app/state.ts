@@ -82,6 +82,8 @@ export const r = signal<Float64Array>(new Float64Array(0));
 export const frame = signal<Frame | null>(null);
 /** Every frame, for the picture. */
 export const liveFrame = signal<Frame | null>(null);
+/** The latest time step that the clock has come to since the scene was opened or reset: the end of the line of time. */
+export const furthestStep = signal(1);
 export const playing = signal(false);
 /** A pin being dragged follows the pointer whether or not the clock runs. */
 export const dragging = signal<number | null>(null);

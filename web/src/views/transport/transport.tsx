@@ -5,10 +5,18 @@ import { frame, parameters, playing } from '../../app/state.ts';
 import { Icon } from '../../lib/icon.tsx';
 import type { Frame, Phase } from '../../solver/frame.ts';
 import { placeOf } from '../../solver/read_frame.ts';
+import { statusText } from './status_text.ts';
+import { Timeline } from './timeline.tsx';
 import './transport.css';
 
-/** The clock's buttons, the scrubber over the half-steps of the present time step, and the line that always says where we are. */
-export function Transport({ actions }: { actions: Actions }) {
+interface Props {
+  actions: Actions;
+  /** False where the page has the lines of time at large. */
+  timeline?: boolean;
+}
+
+/** The clock's buttons, the lines of time, and the line that always says where we are. */
+export function Transport({ actions, timeline = true }: Props) {
   const [hasPaused, setHasPaused] = useState(false);
   const f = frame.value as Frame;
   const invite = playing.value && !hasPaused;
@@ -37,15 +45,9 @@ export function Transport({ actions }: { actions: Actions }) {
         </p>
         <p class="transport-story">{storyText(f)}</p>
       </div>
-      <Scrubber frame={f} actions={actions} />
+      {timeline && <Timeline frame={f} actions={actions} />}
     </section>
   );
-}
-
-/** Where the clock and the cursor stand, in one line. */
-function statusText({ step, iteration, iterations, phase }: Frame): string {
-  if (playing.value) return t('page.transport.playing', { step, iterations });
-  return t('page.transport.status', { step, iteration, iterations, phase: t(`page.phase.${phase}`) });
 }
 
 /** What the half-step does. */
@@ -55,32 +57,6 @@ function storyText({ phase, iterations }: Frame): string {
   if (phase === 'global' && method !== 'local-global')
     return t('page.story.accelerated', { method: t(`methods.name.${method}`) });
   return t(`page.story.${phase}`, { iterations });
-}
-
-function Scrubber({ frame: f, actions }: { frame: Frame; actions: Actions }) {
-  const { half_step, last_half_step, iterations } = f;
-  return (
-    <div class="scrubber">
-      <input
-        type="range"
-        min={0}
-        max={last_half_step}
-        value={half_step}
-        style={{ '--filled': `${(100 * half_step) / last_half_step}%` }}
-        aria-label={t('page.transport.scrubber')}
-        aria-valuetext={statusText(f)}
-        onInput={(event) => actions.seek(event.currentTarget.valueAsNumber)}
-      />
-      <div class="scrubber-ends" aria-hidden="true">
-        <span>{t('page.phase.predict')}</span>
-        <span>
-          {iterations} × (<span class="local">{t('page.phase.local')}</span>,{' '}
-          <span class="global">{t('page.phase.global')}</span>)
-        </span>
-        <span>{t('page.phase.accept')}</span>
-      </div>
-    </div>
-  );
 }
 
 interface MoveProps {

@@ -63,6 +63,11 @@ export const page = {
     status: 'time step t = {{step}} · iteration {{iteration}} of {{iterations}} · {{phase}}',
     playing: 'time step t = {{step}} · playing, {{iterations}} iterations a step',
   },
+  timeline: {
+    steps: 'Time step',
+    unfolded: 'inside step {{step}}, time stands still',
+    step: 'time step t = {{step}}, of those from {{first}} to {{last}}',
+  },
   story: {
     playing: 'Every picture is one time step: {{iterations}} rounds of local and global. Pause to walk through them.',
     predict:

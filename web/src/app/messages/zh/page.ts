@@ -63,6 +63,11 @@ export const page = {
     status: '时间步 t = {{step}} · 第 {{iteration}} 次迭代（共 {{iterations}} 次）· {{phase}}',
     playing: '时间步 t = {{step}} · 播放中，每步迭代 {{iterations}} 次',
   },
+  timeline: {
+    steps: '时间步',
+    unfolded: '时间步 {{step}} 的内部，时间静止不动',
+    step: '时间步 t = {{step}}，可选范围 {{first}} 至 {{last}}',
+  },
   story: {
     playing: '每一帧是一个时间步，内含 {{iterations}} 轮局部与全局交替。暂停即可逐半步查看。',
     predict: '预测：惯性和外力只在此时写入 y，整个时间步内不变。迭代从旧位置出发。',
