@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
+import { readPath } from '../../../../web/src/app/route.ts';
 import { sectionIds } from '../../../../web/src/notation/sections.ts';
 import { type Block, parseProse, type Span } from '../../../../web/src/views/equations/parse_prose.ts';
 import { renderTeX } from '../../../../web/src/views/equations/render_tex.ts';
 
 type Texts = { [key: string]: string | Texts };
 
-const english = import.meta.glob<Texts>('../../../../web/src/labs/lesson/**/en.ts', { eager: true, import: 'en' });
-const chinese = import.meta.glob<Texts>('../../../../web/src/labs/lesson/**/zh.ts', { eager: true, import: 'zh' });
+const english = import.meta.glob<Texts>('../../../../web/src/labs/**/en.ts', { eager: true, import: 'en' });
+const chinese = import.meta.glob<Texts>('../../../../web/src/labs/**/zh.ts', { eager: true, import: 'zh' });
 
 const catalogues = Object.entries(english).map(([path, en]) => ({
   name: path.split('/').at(-2),
@@ -43,12 +44,15 @@ describe.each(catalogues)('the texts of $name', ({ en, zh }) => {
     }
   });
 
-  it('write formulas that can be set, and link to sections that exist', () => {
+  it('write formulas that can be set, and link to pages that exist', () => {
     for (const [key, text] of [...en, ...zh]) {
       for (const tex of displays(text)) expect(() => renderTeX(tex, true), key).not.toThrow();
       for (const span of parseProse(text).flatMap(spansOf)) {
         if (span.kind === 'tex') expect(() => renderTeX(span.text, false), `${key}: ${span.text}`).not.toThrow();
-        if (span.kind === 'link') expect(sectionIds, key).toContain(span.section);
+        if (span.kind !== 'link') continue;
+        const route = readPath(`#/${span.path}`);
+        expect(route, `${key}: ${span.path}`).not.toBeNull();
+        if (route?.page === 'lesson') expect(sectionIds, key).toContain(route.section);
       }
     }
   });

@@ -37,7 +37,7 @@ describe('parseProse', () => {
           text(', '),
           { kind: 'code', text: 'p.row(i)' },
           text(', as in '),
-          { kind: 'link', text: 'section 6', section: 'matrices' },
+          { kind: 'link', text: 'section 6', path: 'lesson/matrices' },
           text('.'),
         ],
       },

@@ -1,5 +1,4 @@
 import type { ComponentChildren } from 'preact';
-import { pathOf } from '../../app/route.ts';
 import { Display } from './display.tsx';
 import { Formula } from './formula.tsx';
 import { type Block, parseProse, type Span } from './parse_prose.ts';
@@ -54,7 +53,7 @@ function renderSpan(span: Span, key: number): ComponentChildren {
       return <code key={key}>{span.text}</code>;
     case 'link':
       return (
-        <a key={key} href={pathOf({ page: 'lesson', section: span.section })}>
+        <a key={key} href={`#/${span.path}`}>
           {span.text}
         </a>
       );
