@@ -4,6 +4,7 @@ import { t } from '../../app/messages/index.ts';
 import { parameters, type StoppingRule } from '../../app/state.ts';
 import { type Method, methods } from '../../solver/module.ts';
 import { NumberField } from './number_field.tsx';
+import './controls.css';
 
 /** What the tolerance ε of a rule is measured in. */
 const units: Record<StoppingRule, string> = { stop_gradient: 'N', stop_decrease: '' };

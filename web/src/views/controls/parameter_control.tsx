@@ -5,6 +5,7 @@ import { parameters, state } from '../../app/state.ts';
 import { Icon } from '../../lib/icon.tsx';
 import type { SymbolId } from '../../notation/symbols.ts';
 import { NumberField, showNumber } from './number_field.tsx';
+import './controls.css';
 
 interface Props {
   name: Scaled;

@@ -24,7 +24,7 @@ strongest are the lowest. Cross: where inertia and gravity alone would lead. Dot
 Press ½▶ to walk down.`,
     seen: raw`Look at the terms one by one: a ring of rest lengths around the pin, a round bowl, a slope. Now change $\symdeltaT$. In a short
 step inertia’s bowl is so steep that little else counts; in a long one the ring wins. At the last iterate $\lVert\symgradient\rVert$ is close
-to 0, and there Newton’s law holds.`,
+to 0, and there Newton’s law holds. How close [other methods come on a whole net](springs/convergence) is shown in the lab.`,
   },
   nonlinear: {
     title: 'Why it is not a linear equation',

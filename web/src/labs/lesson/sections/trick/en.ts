@@ -80,7 +80,7 @@ export const en = {
         worst vertex; at zero, $f = ma$ holds exactly.
       - Once a round **lowers $\symobjective$ by little**. That is cheap to ask, but slow progress need not mean arrival.
 
-      The course takes the first, with fifty rounds.
+      The course takes the first, with fifty rounds. The lab shows where [each rule stops each method](springs/convergence).
     `,
     caption: raw`The chart shows this one time step. Choose a rule and see after which round it ends.`,
     curve: 'the worst vertex',
