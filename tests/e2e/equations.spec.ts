@@ -9,7 +9,7 @@ test.beforeEach(async ({ page }) => {
 
 test('a symbol under the pointer shows its card, and is marked wherever it stands', async ({ page }) => {
   await page.locator('.half-global .equation-formulas [data-sym="d"]').first().hover();
-  const card = page.locator('.symbol-card');
+  const card = page.locator('.card');
   await expect(card).toContainText('#E × 3');
   await expect(page.locator('.half-local .equation-formulas [data-sym="d"]').first()).toHaveCSS('box-shadow', /2px/);
   await page.mouse.move(5, 5);
@@ -18,9 +18,9 @@ test('a symbol under the pointer shows its card, and is marked wherever it stand
 
 test('a symbol’s button opens its card for the keyboard, Escape closes it', async ({ page }) => {
   await page.locator('.half-global .symbol-legend button').first().focus();
-  await expect(page.locator('.symbol-card')).toBeVisible();
+  await expect(page.locator('.card')).toBeVisible();
   await page.keyboard.press('Escape');
-  await expect(page.locator('.symbol-card')).toHaveCount(0);
+  await expect(page.locator('.card')).toHaveCount(0);
 });
 
 test('the numbers of the local step are those of its equation: d has the rest length', async ({ page }) => {

@@ -57,7 +57,7 @@ test('the keyboard reaches the card’s link and comes back to where it was', as
   await expect(page.getByRole('link', { name: /^Lesson, section 1/ })).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(button).toBeFocused();
-  await expect(page.locator('.symbol-card')).toHaveCount(0);
+  await expect(page.locator('.card')).toHaveCount(0);
   await page.keyboard.press('Shift+Tab');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Tab');
@@ -169,6 +169,6 @@ test.describe('with a finger', () => {
     await page.locator('.half-local .symbol-legend button').last().tap();
     await expect(page.getByRole('dialog', { name: 'positions' })).toBeVisible();
     await page.locator('.caption').first().tap();
-    await expect(page.locator('.symbol-card')).toHaveCount(0);
+    await expect(page.locator('.card')).toHaveCount(0);
   });
 });

@@ -16,7 +16,7 @@ import { solving, work } from './app/work.ts';
 import { cameraKey } from './labs/springs/camera_keys.ts';
 import { symbolStyle } from './notation/symbol_style.ts';
 import { Deferred } from './views/deferred/deferred.tsx';
-import { SymbolCard } from './views/equations/symbol_card.tsx';
+import { Card } from './views/equations/cards/card.tsx';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
 import { Notices } from './views/notices/notices.tsx';
@@ -77,7 +77,7 @@ function Page() {
       <UpdateOffer />
       <Progress actions={actions} />
       <Notices />
-      <SymbolCard />
+      <Card />
     </>
   );
 }

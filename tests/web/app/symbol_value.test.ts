@@ -24,6 +24,16 @@ describe('symbolValue', () => {
     expect(symbolValue('p', figure, { spring: null, vertex: 2 })).toBe('(1.00, 0.00, 0.00)\u2009m');
   });
 
+  // At rest, with gravity the only external force on 1 kg.
+  it.each([
+    ['pCurr', '(1.00, 0.00, 0.00)\u2009m'],
+    ['pPrev', '(1.00, 0.00, 0.00)\u2009m'],
+    ['velocity', '(0.00, 0.00, 0.00)\u2009m/s'],
+    ['fExt', '(0.00, −9.80, 0.00)\u2009N'],
+  ] as const)('%s, known of every vertex, is %s', (id, value) =>
+    expect(symbolValue(id, figure, { spring: null, vertex: 2 })).toBe(value),
+  );
+
   it('says nothing of a spring that nobody named, of the target of a free vertex, of whole matrices', () => {
     expect(symbolValue('d', figure, { spring: null, vertex: 0 })).toBeNull();
     expect(symbolValue('pTarget', figure, { spring: null, vertex: 2 })).toBeNull();

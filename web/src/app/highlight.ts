@@ -12,9 +12,28 @@ export interface Highlight {
   /** Of the figure: one spring, one vertex, or both for an entry of a matrix. */
   spring: number | null;
   vertex: number | null;
+  /** Where in the symbol's matrix. */
+  place: MatrixPlace | null;
+  /** The line of code in which the symbols meet. */
+  line: CodeLine | null;
 }
 
-export const nothing: Highlight = { symbols: [], figure: null, spring: null, vertex: null };
+/** The head of a row or of a column, counted from 0 in the matrix itself, or where both meet: an entry. */
+export interface MatrixPlace {
+  row: number | null;
+  column: number | null;
+  /** Of an entry, in the symbol's unit. */
+  value: number | null;
+}
+
+export interface CodeLine {
+  /** In wasm/core. */
+  file: string;
+  /** From 1, as the page counts them. */
+  number: number;
+}
+
+export const nothing: Highlight = { symbols: [], figure: null, spring: null, vertex: null, place: null, line: null };
 
 export const highlighted = signal<Highlight>(nothing);
 

@@ -72,13 +72,30 @@ const rowOfVertex: Partial<Record<SymbolId, (now: Now, i: number) => Vector | nu
   V: ({ scene }, i) => row(scene.V, i),
   m: ({ scene, parameters }, i) => [parameters.mass_scale * scene.m[i]],
   p: ({ frame }, i) => row(frame.p, i),
+  pCurr: ({ frame }, i) => row(frame.pCurr, i),
+  pPrev: ({ frame }, i) => row(frame.pPrev, i),
+  velocity: ({ frame: { pCurr, pPrev }, parameters }, i) =>
+    subtract(row(pCurr, i), row(pPrev, i)).map((moved) => moved / parameters.delta_t),
+  fExt: externalForce,
   pTarget: ({ frame: { pinned, targets } }, i) => (pinned.includes(i) ? row(targets, pinned.indexOf(i)) : null),
   y: ({ frame: { vertexEquation } }, i) => (vertexEquation?.vertex === i ? vertexEquation.y : null),
   b: ({ frame: { vertexEquation, phase } }, i) =>
     vertexEquation?.vertex === i && phase !== 'predict' ? vertexEquation.b : null, // without d there is no b
 };
 
-function written(numbers: Vector, unit: string | null): string {
+/** What is left of the prediction, 2p^t − p^{t−Δt} + Δt² f^ext/m, without its inertia. */
+function externalForce({ scene, parameters, frame: { prediction, pCurr, pPrev } }: Now, i: number): Vector {
+  const mass = parameters.mass_scale * scene.m[i];
+  return row(pCurr, i).map((now, axis) => {
+    const before = pPrev[3 * i + axis];
+    const pushed = prediction[3 * i + axis] - (2 * now - before);
+    const rounding = 2 * Number.EPSILON * (2 * Math.abs(now) + Math.abs(before));
+    return Math.abs(pushed) <= rounding ? 0 : (mass * pushed) / parameters.delta_t ** 2;
+  });
+}
+
+/** Numbers in a unit, whole ones without decimals where there is none. */
+export function written(numbers: Vector, unit: string | null): string {
   if (unit !== null) return numbers.length === 1 ? formatQuantity(numbers[0], unit) : formatVector(numbers, unit);
   const plain = numbers.map((number) => (Number.isInteger(number) ? String(number) : formatNumber(number)));
   return numbers.length === 1 ? plain[0] : `(${plain.join(', ')})`;

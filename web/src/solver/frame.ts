@@ -60,6 +60,9 @@ export interface Frame {
   pBefore: Float64Array;
   /** #E×3, m: the projections; null at predict, where there is none yet. */
   d: Float64Array | null;
+  /** #V×3, m: p^t and p^{t−Δt}. */
+  pCurr: Float64Array;
+  pPrev: Float64Array;
   /** #V×3, m: where inertia and external forces alone would carry each vertex. */
   prediction: Float64Array;
   /** #pinned, and #pinned×3, m: the pins of this frame and where they hold. */

@@ -29,6 +29,8 @@ export function readFrame(
     p: s.p().slice(),
     pBefore: s.p_before().slice(),
     d: place.phase === 'predict' ? null : s.d().slice(),
+    pCurr: s.p_curr().slice(),
+    pPrev: s.p_prev().slice(),
     prediction: s.inertial_prediction().slice(),
     pinned: wants.pinned,
     targets: s.targets().slice(),

@@ -2,6 +2,7 @@ import { compareMethod } from './compare_method.ts';
 import { compareStorage } from './compare_storage.ts';
 import { readElimination, readEliminationStep } from './eliminations.ts';
 import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type { Frame } from './frame.ts';
 import { measureIteration } from './measure_iteration.ts';
 import type { Ordering, Simulation, SolverModule, Status } from './module.ts';
 import type {
@@ -162,15 +163,11 @@ export class SolverSession {
     });
     frame.milliseconds = performance.now() - started;
     if (request.profile) frame.profile = measureIteration(s);
-    return { ok: true, value: { frame, checkpoint: readCheckpoint(s) } };
+    return { ok: true, value: { frame, checkpoint: checkpointOf(frame) } };
   }
 }
 
-function readCheckpoint(s: Simulation): Checkpoint {
-  return {
-    step: s.step_number(),
-    half_step: s.half_step(),
-    p_curr: s.p_curr().slice(),
-    p_prev: s.p_prev().slice(),
-  };
+/** With the frame's own arrays: nobody changes them, and the worker sends each array once. */
+function checkpointOf({ step, half_step, pCurr, pPrev }: Frame): Checkpoint {
+  return { step, half_step, p_curr: pCurr, p_prev: pPrev };
 }

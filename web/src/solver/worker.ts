@@ -24,8 +24,8 @@ function theSession(): SolverSession {
 /** Hands the arrays of a reply over instead of copying them. */
 function send<T extends Reply>(outcome: Outcome<T>): Outcome<T> {
   if (!outcome.ok) return outcome;
-  const { frame, checkpoint } = outcome.value;
-  const arrays = [frame.p, frame.pBefore, frame.prediction, frame.targets, checkpoint.p_curr, checkpoint.p_prev];
+  const { frame } = outcome.value; // whose arrays are the checkpoint's too
+  const arrays = [frame.p, frame.pBefore, frame.pCurr, frame.pPrev, frame.prediction, frame.targets];
   if (frame.d) arrays.push(frame.d);
   return transfer(
     outcome,

@@ -19,6 +19,8 @@ function frameAt(phase: Phase): Frame {
     p: moved ? after : before,
     pBefore: before,
     d: phase === 'predict' ? null : Float64Array.of(-2.4, -3.2, 0),
+    pCurr: before,
+    pPrev: before,
     prediction: after,
     pinned: new Int32Array(0),
     targets: new Float64Array(0),

@@ -29,9 +29,16 @@ describe('matrixCells', () => {
     expect(cells('r', [0.5, 0.5])[0].map(({ text }) => text)).toEqual(['', '']);
   });
 
-  it('says of every entry where it stands', () => {
+  it('reads out of every entry where it stands', () => {
     expect(cells('A', A)[2][3].label).toBe('A, spring 1, vertex 2: -1');
     expect(cells('r', [0.5, 0.5])[2][1].label).toBe('r, spring 1: 0.5');
+  });
+
+  it('says of every entry and head where it stands, counted in the matrix itself', () => {
+    const table = cells('A', A);
+    expect(table[2][3].place).toEqual({ row: 1, column: 2, value: -1 });
+    expect(table[0][3].place).toEqual({ row: null, column: 2, value: null });
+    expect(table[2][0].place).toEqual({ row: 1, column: null, value: null });
   });
 
   it('gives an entry of A its spring and its vertex', () => {

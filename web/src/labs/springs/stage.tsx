@@ -6,12 +6,13 @@ import { areAllLit, highlighted, litThings, nothing } from '../../app/highlight.
 import { drawingTime } from '../../app/measurements.ts';
 import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
+import { pointAtDrawn, pointAway, pointed } from '../../app/pointing.ts';
 import { appliedTheme } from '../../app/preferences.ts';
-import { labFigure, liveFrame, r, scene, state } from '../../app/state.ts';
+import { dragging, labFigure, liveFrame, playing, r, scene, state } from '../../app/state.ts';
 import { followLayout } from '../../views/scene3d/follow_layout.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
-import type { Scene3DCallbacks } from '../../views/scene3d/types.ts';
+import type { Hit, Scene3DCallbacks } from '../../views/scene3d/types.ts';
 import { canvasOrigin, legend, pictures, scene3D } from './stage_signals.ts';
 
 /** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */
@@ -30,7 +31,7 @@ export function Stage({ actions }: { actions: Actions }) {
       document.body.dataset.ready = 'true';
     };
     const view = new Scene3D(element, {
-      ...callbacks(actions),
+      ...callbacks(element, actions),
       onInvalidate: () => {
         drawing ||= requestAnimationFrame(draw);
       },
@@ -54,7 +55,7 @@ export function Stage({ actions }: { actions: Actions }) {
       effect(() => {
         if (r.value.length === 0) return;
         const { V, E, F, texture } = scene.value;
-        highlighted.value = nothing; // it was about another scene
+        pointAway(); // it was at another scene
         scene3D.value?.setScene({ V, E, F, texture, r: r.value });
         const { camera } = state.peek().view;
         if (camera) scene3D.value?.setCamera(camera);
@@ -84,6 +85,10 @@ export function Stage({ actions }: { actions: Actions }) {
     });
   });
 
+  useSignalEffect(() => {
+    if (moves()) closeDrawn(canvas.current);
+  });
+
   useEffect(() => {
     const animation = new HalfStepAnimation();
     const stop = liveFrame.subscribe((f) => {
@@ -98,14 +103,36 @@ export function Stage({ actions }: { actions: Actions }) {
   return <canvas ref={canvas} class="stage-canvas" aria-label={t('page.stage.label')} role="img" />;
 }
 
-function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
+/** While things move, a card would stay beside a place that its thing has left. */
+function moves(): boolean {
+  return playing.value || dragging.value !== null;
+}
+
+function closeDrawn(canvas: HTMLCanvasElement | null): void {
+  if (pointed.peek()?.hook === canvas) pointAway();
+}
+
+function callbacks(canvas: HTMLCanvasElement, actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
+  const open = ({ kind, index, bounds }: Hit, by: 'hover' | 'tap') => {
+    pointAtDrawn(canvas, bounds, by, { [kind]: index });
+  };
+  const isTapped = ({ kind, index }: Hit) => {
+    const { [kind]: lit, figure } = highlighted.peek();
+    return pointed.peek()?.by === 'tap' && figure === labFigure && lit === index;
+  };
   return {
     onHover: (hit) => {
-      highlighted.value = hit ? { ...nothing, figure: labFigure, [hit.kind]: hit.index } : nothing;
+      if (hit && !moves()) {
+        if (!isTapped(hit)) open(hit, 'hover');
+      } else if (pointed.peek()?.by !== 'tap') {
+        pointAway();
+        if (hit) highlighted.value = { ...nothing, figure: labFigure, [hit.kind]: hit.index };
+      }
     },
     onSelect: (hit) => {
       if (hit?.kind === 'spring') actions.selectSpring(hit.index);
       if (hit?.kind === 'vertex') actions.selectVertex(hit.index);
+      if (hit && !moves()) open(hit, 'tap');
     },
     onPinToggle: (vertex) => actions.togglePin(vertex, positionOf(vertex)),
     onDragStart: (vertex) => {
@@ -114,7 +141,10 @@ function callbacks(actions: Actions): Omit<Scene3DCallbacks, 'onInvalidate'> {
     },
     onDrag: (vertex, target) => actions.movePin(vertex, [target[0], target[1], target[2]]),
     onDragEnd: () => actions.endDrag(),
-    onCameraChange: (camera) => actions.setView({ camera }),
+    onCameraChange: (camera) => {
+      closeDrawn(canvas);
+      actions.setView({ camera });
+    },
     onLegend: (next) => {
       legend.value = next;
     },

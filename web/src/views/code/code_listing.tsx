@@ -55,12 +55,14 @@ function Line({ file, number, line, isTabStop }: LineProps) {
   }));
   const symbols = new Set(tokens.flatMap(({ symbol }) => symbol ?? []));
   return (
-    <li data-about={[...symbols].join(' ')}>
+    <li data-about={[...symbols].join(' ')} data-line={`${file} ${number}`}>
       <button
         type="button"
         class="code-line"
         tabIndex={isTabStop ? 0 : -1}
         aria-label={t('code.line', { number, line })}
+        aria-haspopup={symbols.size > 0 ? 'dialog' : undefined}
+        aria-describedby={symbols.size > 0 ? cardId : undefined}
       >
         {number}
       </button>

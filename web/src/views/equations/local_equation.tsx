@@ -1,9 +1,10 @@
 import { t } from '../../app/messages/index.ts';
-import { columnScale, formatInColumn, formatQuantity } from '../../lib/format.ts';
+import { columnScale, formatInColumn } from '../../lib/format.ts';
 import { formulas } from '../../notation/formulas.ts';
 import type { Frame } from '../../solver/frame.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { type Spring, type SpringNumbers, springNumbers } from './spring_numbers.ts';
+import { strainText } from './strain_text.ts';
 import { type VectorRow, VectorTable } from './vector_table.tsx';
 
 const { raw } = String;
@@ -58,7 +59,7 @@ function Substitution({ spring, numbers }: { spring: Spring; numbers: SpringNumb
         <span>
           r = {formatInColumn(spring.r, scale)} {scale.unit}
         </span>
-        <span>{strainText(numbers)}</span>
+        <span>{strainText(numbers.strain)}</span>
       </p>
       <VectorTable
         caption={t('equations.local.table', { index: spring.index, unit: scale.unit })}
@@ -68,11 +69,4 @@ function Substitution({ spring, numbers }: { spring: Spring; numbers: SpringNumb
       />
     </>
   );
-}
-
-function strainText({ strain }: SpringNumbers): string {
-  if (strain === null) return '';
-  if (Math.abs(strain) < 1e-12) return t('equations.local.atRest'); // what is left is rounding
-  const percent = formatQuantity(100 * Math.abs(strain), '%');
-  return t(strain > 0 ? 'equations.local.stretched' : 'equations.local.squeezed', { percent });
 }

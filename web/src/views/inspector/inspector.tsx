@@ -1,7 +1,9 @@
 import { useState } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
+import { cardId } from '../../app/pointing.ts';
 import { liveFrame, pins, scene, state } from '../../app/state.ts';
+import type { Thing } from '../../notation/symbols.ts';
 import type { Frame } from '../../solver/frame.ts';
 import './inspector.css';
 
@@ -10,6 +12,7 @@ export function SpringInspector({ actions }: { actions: Actions }) {
   const count = scene.value.E.length / 2;
   return (
     <IndexField
+      thing="spring"
       label={t('page.inspect.spring')}
       value={state.value.selection.spring}
       count={count}
@@ -25,6 +28,7 @@ export function VertexInspector({ actions }: { actions: Actions }) {
   return (
     <>
       <IndexField
+        thing="vertex"
         label={t('page.inspect.vertex')}
         value={vertex}
         count={scene.value.m.length}
@@ -45,13 +49,14 @@ export function VertexInspector({ actions }: { actions: Actions }) {
 }
 
 interface IndexFieldProps {
+  thing: Thing;
   label: string;
   value: number | null;
   count: number;
   onChange: (index: number) => void;
 }
 
-function IndexField({ label, value, count, onChange }: IndexFieldProps) {
+function IndexField({ thing, label, value, count, onChange }: IndexFieldProps) {
   const [problem, setProblem] = useState<string | null>(null);
   const read = (text: string) => {
     const index = Number(text);
@@ -68,6 +73,8 @@ function IndexField({ label, value, count, onChange }: IndexFieldProps) {
         max={count - 1}
         value={value ?? ''}
         aria-invalid={problem !== null}
+        aria-describedby={cardId}
+        {...{ [`data-${thing}`]: value }}
         onChange={(event) => read(event.currentTarget.value)}
       />{' '}
       <span class="of">{t('page.inspect.range', { last: count - 1 })}</span>

@@ -1,5 +1,6 @@
+import { type Head, thingsOf } from '../../app/heads.ts';
+import { springBetween } from '../../app/spring_between.ts';
 import type { Selection } from '../../app/state.ts';
-import { type Head, thingsOf } from './heads.ts';
 
 /**
  * The spring and vertex that an entry belongs to. In a matrix of vertices by vertices the diagonal belongs to the vertices, and what is not zero
@@ -12,12 +13,4 @@ export function entryThings(row: Head, column: Head, value: number, E: Int32Arra
   }
   const [ofRow, ofColumn] = [thingsOf(row), thingsOf(column)];
   return { spring: ofRow.spring ?? ofColumn.spring, vertex: ofRow.vertex ?? ofColumn.vertex };
-}
-
-function springBetween(E: Int32Array, i: number, j: number): number | null {
-  for (let e = 0; e < E.length / 2; e++) {
-    const [from, to] = E.subarray(2 * e, 2 * e + 2);
-    if ((from === i && to === j) || (from === j && to === i)) return e;
-  }
-  return null;
 }

@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import { useRef, useState } from 'preact/hooks';
 import type { Figure } from '../../app/figure.ts';
 import { t } from '../../app/messages/index.ts';
+import { cardId } from '../../app/pointing.ts';
 import { type Cell, moveInGrid } from '../../lib/move_in_grid.ts';
 import { type SymbolId, symbol } from '../../notation/symbols.ts';
 import { entryFormat } from './entry_format.ts';
@@ -76,16 +77,25 @@ export function MatrixTable({ figure, symbol: id, values, name, marked = [] }: P
 }
 
 function TableCell({ cell, symbol: id, isTabStop }: { cell: MatrixCell; symbol: SymbolId; isTabStop: boolean }) {
-  const { kind, text, label, things, isLit } = cell;
+  const { kind, text, label, things, place, isLit } = cell;
   if (text === '') return <td />;
   const attributes = {
     class: isLit ? 'lit' : '',
     'data-about': id,
     'data-spring': things.spring,
     'data-vertex': things.vertex,
+    'data-row': place.row,
+    'data-column': place.column,
+    'data-value': place.value,
   };
   const button = (
-    <button type="button" tabIndex={isTabStop ? 0 : -1} aria-label={label}>
+    <button
+      type="button"
+      tabIndex={isTabStop ? 0 : -1}
+      aria-label={label}
+      aria-haspopup="dialog"
+      aria-describedby={cardId}
+    >
       {text}
     </button>
   );

@@ -1,11 +1,12 @@
 import { type Scene, WebGLRenderer } from 'three';
 import type { Camera } from '../../app/state.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 import { framingOfFall, framingOfNow } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
 import { type DrawnView, Interaction } from './interaction.ts';
 import { OrbitCamera } from './orbit_camera.ts';
 import { projectPoints, worldToClip } from './projection.ts';
-import type { CanvasCallbacks, Rectangle, Scene3DFrame, ScreenPoint } from './types.ts';
+import type { CanvasCallbacks, Scene3DFrame, ScreenPoint } from './types.ts';
 import { type Viewport, Viewports } from './viewports.ts';
 
 /** More device pixels than this in a CSS pixel cost without being seen. */

@@ -1,4 +1,5 @@
-import type { Rectangle, ScreenPoint } from './types.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
+import type { ScreenPoint } from './types.ts';
 
 /**
  * Lays the canvas over the elements that stand for its views, and no farther: what stands below them may change its height with every half-step, and

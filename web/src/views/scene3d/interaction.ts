@@ -1,9 +1,11 @@
 import { type Plane, Vector3 } from 'three';
+import type { Rectangle } from '../../lib/rectangle.ts';
+import { boundsNear } from './bounds_near.ts';
 import { Gestures } from './gestures.ts';
 import type { OrbitCamera } from './orbit_camera.ts';
 import { nearestPoint, nearestSegment, tolerancesFor } from './picking.ts';
 import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';
-import type { CanvasCallbacks, Hit, Rectangle, Scene3DFrame } from './types.ts';
+import type { CanvasCallbacks, Hit, Scene3DFrame } from './types.ts';
 
 /** A view as it was last drawn, for pointers to find things in. */
 export interface DrawnView {
@@ -78,13 +80,18 @@ export class Interaction {
   pick(x: number, y: number, pointerType: string): Hit | null {
     const view = this.viewAt(x, y);
     if (!view) return null;
+    const hit = (kind: Hit['kind'], index: number, drawn: Float32Array): Hit => {
+      return { kind, index, bounds: boundsNear(drawn, x, y) };
+    };
     const pin = this.pickPin(view, x, y, pointerType);
-    if (pin !== null) return { kind: 'vertex', index: view.frame.pinned[pin] };
+    if (pin !== null) return hit('vertex', view.frame.pinned[pin], Float32Array.of(x, y));
     const tolerance = tolerancesFor(pointerType, view.springPixels);
-    const vertex = nearestPoint(this.onScreen(view, view.points), x, y, tolerance.vertex);
-    if (vertex !== null) return { kind: 'vertex', index: vertex };
-    const spring = nearestSegment(this.onScreen(view, view.springEnds()), x, y, tolerance.spring);
-    return spring === null ? null : { kind: 'spring', index: spring };
+    const points = this.onScreen(view, view.points);
+    const vertex = nearestPoint(points, x, y, tolerance.vertex);
+    if (vertex !== null) return hit('vertex', vertex, points.subarray(2 * vertex, 2 * vertex + 2));
+    const ends = this.onScreen(view, view.springEnds());
+    const spring = nearestSegment(ends, x, y, tolerance.spring);
+    return spring === null ? null : hit('spring', spring, ends.subarray(4 * spring, 4 * spring + 4));
   }
 
   private pickPin(view: DrawnView, x: number, y: number, pointerType: string): number | null {

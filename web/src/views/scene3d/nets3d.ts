@@ -1,4 +1,5 @@
 import type { Camera, Selection } from '../../app/state.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 import { Canvas3D, type Picture } from './canvas3d.ts';
 import { quantile } from './exaggeration.ts';
 import { GlobalView } from './global_view.ts';
@@ -6,7 +7,7 @@ import { NetTables } from './net_tables.ts';
 import { lightPalette, type Palette } from './palette.ts';
 import { stageOf } from './stages.ts';
 import { strokesFor } from './strokes.ts';
-import type { CanvasCallbacks, Rectangle, Scene3DModel, ScreenPoint } from './types.ts';
+import type { CanvasCallbacks, Scene3DModel, ScreenPoint } from './types.ts';
 
 /** Where the nets are; nobody changes the arrays. */
 export interface NetsFrame {

@@ -1,6 +1,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
+import { cardId } from '../../app/pointing.ts';
 import type { Camera } from '../../app/state.ts';
 import type { Pins } from '../../solver/protocol.ts';
 import { diagonal, screenAxes } from './screen_axes.ts';
@@ -71,6 +72,8 @@ export function PinHandle({ pins: { pinned, targets }, V, camera, placeOf, pictu
       ref={handle}
       type="button"
       class="pin-handle"
+      data-vertex={vertex}
+      aria-describedby={cardId}
       aria-label={t('page.pinHandle.label', { row: row + 1, count: pinned.length, vertex, x, y, z })}
       onFocus={() => onFocus?.(vertex)}
       onKeyDown={onKeyDown}

@@ -1,5 +1,5 @@
 import { type Camera, Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
-import type { Rectangle } from './types.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 
 /** Column-major world → clip space. */
 export function worldToClip(camera: Camera): Matrix4 {

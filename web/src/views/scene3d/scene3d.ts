@@ -1,10 +1,10 @@
 import type { Camera } from '../../app/state.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 import { Canvas3D, type Picture } from './canvas3d.ts';
 import { lightPalette } from './palette.ts';
 import { SceneContent } from './scene_content.ts';
 import { type StagedFrame, stageOf } from './stages.ts';
 import type {
-  Rectangle,
   Scene3DCallbacks,
   Scene3DFrame,
   Scene3DLegend,

@@ -1,4 +1,5 @@
 import type { Camera, Selection } from '../../app/state.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 import type { Scene } from '../../scene/scene.ts';
 import type { Frame } from '../../solver/frame.ts';
 import type { Palette } from './palette.ts';
@@ -42,6 +43,8 @@ export interface Scene3DLegend {
 export interface Hit {
   kind: 'vertex' | 'spring';
   index: number;
+  /** On the canvas; of a long spring only what is near the pointer. */
+  bounds: Rectangle;
 }
 
 /** What a canvas with views tells. */
@@ -64,14 +67,6 @@ export interface CanvasCallbacks {
 
 export interface Scene3DCallbacks extends CanvasCallbacks {
   onLegend(legend: Scene3DLegend): void;
-}
-
-/** CSS pixels from the canvas's top left corner. */
-export interface Rectangle {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
 }
 
 export interface ScreenPoint {

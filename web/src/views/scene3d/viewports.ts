@@ -1,4 +1,4 @@
-import type { Rectangle } from './types.ts';
+import type { Rectangle } from '../../lib/rectangle.ts';
 
 export interface Viewport {
   name: string;

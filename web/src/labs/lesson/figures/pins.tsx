@@ -1,3 +1,4 @@
+import { cardId } from '../../../app/pointing.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import { lessonWords } from '../lesson_words.ts';
@@ -61,6 +62,8 @@ function Pin({ figure, plane, vertex, place: [x, y] }: Omit<Props, 'frame'> & { 
     <button
       type="button"
       class="pin"
+      data-vertex={vertex}
+      aria-describedby={cardId}
       style={{ left: `${x}px`, top: `${y}px` }}
       aria-label={fillTemplate(lessonWords().figure.pin, { i: vertex })}
       onFocus={() => figure.selectVertex(vertex)}

@@ -1,4 +1,5 @@
 import { areAllLit, litThings } from '../../../app/highlight.ts';
+import { cardId } from '../../../app/pointing.ts';
 import { appliedTheme } from '../../../app/preferences.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatQuantity } from '../../../lib/format.ts';
@@ -48,6 +49,7 @@ export function SpringList({ figure, ends, net, plane }: Props) {
             key={e}
             class={allLit || e === lit ? 'spring lit' : 'spring'}
             data-spring={e}
+            aria-describedby={cardId}
             role="option"
             tabIndex={e === (selected ?? 0) ? 0 : -1}
             aria-selected={e === selected}

@@ -1,4 +1,5 @@
 import { areAllLit, litThings } from '../../../app/highlight.ts';
+import { cardId } from '../../../app/pointing.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
@@ -28,6 +29,7 @@ export function VertexList({ figure, p, plane }: Props) {
             key={i}
             class={allLit || i === lit ? 'vertex lit' : 'vertex'}
             data-vertex={i}
+            aria-describedby={cardId}
             role="option"
             tabIndex={i === (selected ?? 0) ? 0 : -1}
             aria-selected={i === selected}

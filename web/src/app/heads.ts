@@ -1,7 +1,7 @@
-import { countAlong, type Figure } from '../../app/figure.ts';
-import { t } from '../../app/messages/index.ts';
-import type { Selection } from '../../app/state.ts';
-import { type Axis, type SymbolId, symbol, type Thing, thingAlong } from '../../notation/symbols.ts';
+import { type Axis, type SymbolId, symbol, type Thing, thingAlong } from '../notation/symbols.ts';
+import { countAlong, type Figure } from './figure.ts';
+import { t } from './messages/index.ts';
+import type { Selection } from './state.ts';
 
 /** What stands at the head of a row or column. */
 export interface Head {
@@ -23,13 +23,16 @@ export function headsOf(id: SymbolId, figure: Figure): { rows: Head[]; columns: 
 }
 
 function headsAlong(axis: Axis, figure: Figure): Head[] {
+  return Array.from({ length: countAlong(axis, figure) }, (_, at) => headAt(axis, at, figure));
+}
+
+/** Of one row or column along an axis, counted from 0. */
+export function headAt(axis: Axis, at: number, figure: Figure): Head {
   const thing = thingAlong(axis);
   const pinned = axis === '#pinned' ? figure.frame.value?.pinned : undefined;
-  return Array.from({ length: countAlong(axis, figure) }, (_, at) => {
-    const index = pinned ? pinned[at] : at;
-    const short = letters[axis]?.[at] ?? String(index);
-    return { thing, index, short, name: thing ? t(`matrices.${thing}`, { index }) : short };
-  });
+  const index = pinned ? pinned[at] : at;
+  const short = letters[axis]?.[at] ?? String(index);
+  return { thing, index, short, name: thing ? t(`matrices.${thing}`, { index }) : short };
 }
 
 export function thingsOf({ thing, index }: Head): Selection {
