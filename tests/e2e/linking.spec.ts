@@ -105,6 +105,76 @@ test('a spring under the mouse marks d in its equation, a vertex p, and none of 
   expect(await lit()).not.toContain('d');
 });
 
+/** Moves the mouse down through a view until it rests on something whose card is of this kind. */
+async function restOn(page: Page, view: 'local' | 'global', kind: 'spring' | 'vertex') {
+  const card = page.locator(`.card[data-kind="${kind}"]`);
+  const { x, y, width, height } = await boxOf(page, `[data-view="${view}"]`);
+  for (let down = 0; down < height; down += 2) {
+    const place = { x: x + 0.37 * width, y: y + down };
+    await page.mouse.move(place.x, place.y);
+    if ((await card.count()) > 0) return { card, place };
+  }
+  throw new Error(`no ${kind} on the way`);
+}
+
+async function boxOf(page: Page, selector: string) {
+  const box = await page.locator(selector).boundingBox();
+  if (!box) throw new Error(`${selector} is not shown`);
+  return box;
+}
+
+function contains(box: Box, { x, y }: { x: number; y: number }): boolean {
+  return box.x < x && x < box.x + box.width && box.y < y && y < box.y + box.height;
+}
+type Box = Awaited<ReturnType<typeof boxOf>>;
+
+test('a spring under the mouse in 3D opens its card beside it, a press closes it, a click makes it stay', async ({
+  page,
+}) => {
+  await openLab(page);
+  const { card, place } = await restOn(page, 'local', 'spring');
+  await expect(card).toBeVisible();
+  for (const fact of [/Spring \d+ ?from vertex \d+ to vertex \d+/, 'rest length', 'length now', 'Lesson, section 1'])
+    await expect(card).toContainText(fact);
+  expect(contains(await boxOf(page, '.card'), place)).toBe(false);
+  await page.mouse.down();
+  await expect(card).toHaveCount(0);
+  await page.mouse.move(place.x + 40, place.y); // turns the camera
+  await expect(card).toHaveCount(0);
+  await page.mouse.up();
+
+  const found = await restOn(page, 'local', 'spring');
+  await page.mouse.click(found.place.x, found.place.y);
+  await page.mouse.move(5, 5);
+  await expect(found.card).toHaveAttribute('data-by', 'tap');
+  await page.keyboard.press('Escape');
+  await expect(found.card).toHaveCount(0);
+});
+
+test('no card opens in 3D while the clock runs, and an open one closes', async ({ page }) => {
+  await openLab(page);
+  const { card, place } = await restOn(page, 'global', 'vertex');
+  await page.keyboard.press('a'); // plays
+  await expect(card).toHaveCount(0);
+  await page.mouse.move(place.x + 60, place.y);
+  await page.mouse.move(place.x, place.y);
+  await expect(page.locator('.card')).toHaveCount(0);
+});
+
+test('the inspector opens the card of the spring it names, for the keyboard, and follows its number', async ({
+  page,
+}) => {
+  await openLab(page);
+  await page.locator('.half-local .index-field input').focus();
+  await expect(page.getByRole('dialog', { name: 'Spring 12' })).toBeVisible();
+  await page.keyboard.press('ArrowUp');
+  await expect(page.getByRole('dialog', { name: 'Spring 13' })).toBeVisible();
+  await page.locator('.half-global .index-field input').focus();
+  await expect(page.getByRole('dialog', { name: 'Vertex 7' })).toContainText('0.500');
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.card')).toHaveCount(0);
+});
+
 test.describe('in the lesson', () => {
   /** A triangle of three springs and its A, with spring 1 selected. */
   async function openMatrices(page: Page) {
@@ -144,7 +214,62 @@ test.describe('in the lesson', () => {
     await page.keyboard.press('Escape');
     await expect.poll(litRows).toEqual([]);
   });
+
+  test('the keyboard on a cell of A opens the card of the entry, from which the way leads back', async ({ page }) => {
+    const { figure } = await openMatrices(page);
+    const cell = figure.getByRole('button', { name: 'A, spring 0, vertex 1: −1' });
+    await cell.focus();
+    const card = page.getByRole('dialog', { name: 'A, spring 0, vertex 1' });
+    for (const fact of ['spring 0 ends at vertex 1', 'from vertex 0 to vertex 1'])
+      await expect(card).toContainText(fact);
+    await page.keyboard.press('Enter');
+    await expect(card.getByRole('link')).toBeFocused();
+    await page.keyboard.press('Escape');
+    await expect(cell).toBeFocused();
+    await cell.focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowLeft');
+    await expect(page.getByRole('dialog', { name: 'A, Spring 0' })).toContainText('row 0');
+  });
+
+  test('the cards of an entry and of a row’s head are clean for axe', async ({ page }) => {
+    const { figure } = await openMatrices(page);
+    const matrix = figure.locator('.matrix').first();
+    for (const [cell, kind] of [
+      ['td button', 'entry'],
+      ['tbody th button', 'spring'],
+    ]) {
+      await matrix.locator(cell).first().focus();
+      await expect(page.locator(`.card[data-kind="${kind}"]`)).toBeVisible();
+      expect(await seriousViolations(page)).toEqual([]);
+    }
+  });
+
+  test('a vertex of a picture opens its card, which a pull closes', async ({ page }) => {
+    const { figure } = await openMatrices(page);
+    const dot = figure.locator('svg [data-vertex="2"] .dot');
+    await dot.hover();
+    const card = page.getByRole('dialog', { name: 'Vertex 2' });
+    await expect(card).toContainText('end of 2 springs');
+    await page.mouse.down();
+    const { x, y } = (await dot.boundingBox()) as Box;
+    await page.mouse.move(x + 40, y + 30);
+    await expect(card).toHaveCount(0);
+    await page.mouse.up();
+  });
 });
+
+for (const language of ['en', 'zh'])
+  test(`the cards of a vertex and of a line of code are clean for axe: ${language}`, async ({ page }) => {
+    await open(page, `${lab}&language="${language}"`);
+    await page.locator('.half-global .index-field input').focus();
+    await expect(page.locator('.card[data-kind="vertex"]')).toBeVisible();
+    expect(await seriousViolations(page)).toEqual([]);
+    await page.locator('.half-local .in-code summary').click();
+    await page.locator('.half-local [data-line="local_step.cpp 11"] .code-line').focus();
+    await expect(page.locator('.card[data-kind="line"]')).toContainText('local_step.cpp');
+    expect(await seriousViolations(page)).toEqual([]);
+  });
 
 test('the card and the code are clean for axe, in both languages', async ({ page }) => {
   for (const [language, name] of [
@@ -161,6 +286,24 @@ test('the card and the code are clean for axe, in both languages', async ({ page
 
 test.describe('with a finger', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 844 } });
+
+  test('the card of what is tapped never leaves the window', async ({ page }) => {
+    const isInside = ({ x, y, width, height }: Box) => x >= 0 && y >= 0 && x + width <= 390 && y + height <= 844;
+    await openLab(page);
+    const handle = await boxOf(page, '.pin-handle'); // at the edge of the net
+    await page.touchscreen.tap(handle.x + 12, handle.y + 12);
+    await expect(page.locator('.card[data-kind="vertex"]')).toContainText('pinned');
+    expect(isInside(await boxOf(page, '.card'))).toBe(true);
+    await page.goto('./#/lesson/matrices');
+    const matrices = page.locator('.matrix-product .matrix');
+    await expect(matrices).toHaveCount(3);
+    for (const cell of await matrices.locator('td button, tbody th button').all()) {
+      await cell.scrollIntoViewIfNeeded();
+      await cell.tap();
+      await expect(page.locator('.card')).toBeVisible();
+      expect(isInside(await boxOf(page, '.card'))).toBe(true);
+    }
+  });
 
   test('a tap opens a card, a tap elsewhere closes it', async ({ page }) => {
     await openLab(page);

@@ -124,9 +124,9 @@ function callbacks(canvas: HTMLCanvasElement, actions: Actions): Omit<Scene3DCal
     onHover: (hit) => {
       if (hit && !moves()) {
         if (!isTapped(hit)) open(hit, 'hover');
-      } else if (pointed.peek()?.by !== 'tap') {
-        pointAway();
-        if (hit) highlighted.value = { ...nothing, figure: labFigure, [hit.kind]: hit.index };
+      } else if ((pointed.peek()?.by ?? 'hover') === 'hover') {
+        highlighted.value = hit ? { ...nothing, figure: labFigure, [hit.kind]: hit.index } : nothing;
+        pointed.value = null;
       }
     },
     onSelect: (hit) => {

@@ -81,8 +81,13 @@ function stand(card: HTMLElement, at: Pointed): void {
   card.style.top = `${y}px`;
 }
 
-/** What was pointed at, in CSS pixels of the window. */
+/** A taller table, CSS pixels, would take the card too far from its cell. */
+const tallest = 240;
+
+/** What was pointed at and should stay in sight, in CSS pixels of the window: of a cell's table the whole height, for its row and column are lit. */
 function anchorOf({ hook, within }: Pointed): Rectangle {
   const bounds = hook.getBoundingClientRect();
+  const table = hook instanceof HTMLTableCellElement && hook.closest('table')?.getBoundingClientRect();
+  if (table && table.height <= tallest) return { x: bounds.x, y: table.y, width: bounds.width, height: table.height };
   return within ? { ...within, x: bounds.x + within.x, y: bounds.y + within.y } : bounds;
 }

@@ -23,7 +23,7 @@ export function EntryCard({ entry, figure }: Props) {
     <>
       <p class="card-name">
         <Formula tex={`${symbolCommand(id)}_{${column ? `${row.short},\\,${column.short}` : row.short}}`} /> ={' '}
-        <strong>{written([value], unit)}</strong> {t(`symbols.name.${id}`)}
+        <strong>{written([value], unit)}</strong> <span>{t(`symbols.name.${id}`)}</span>
       </p>
       {meaning && <p>{meaning}</p>}
       <Facts

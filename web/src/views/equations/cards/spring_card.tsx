@@ -20,7 +20,7 @@ export function SpringCard({ name, facts: { i, j, r, length, strain, d, pull }, 
   return (
     <>
       <p class="card-name">
-        <strong>{name}</strong> {t('equations.card.spring.ends', { i, j })}
+        <strong>{name}</strong> <span>{t('equations.card.spring.ends', { i, j })}</span>
       </p>
       <Facts
         facts={[

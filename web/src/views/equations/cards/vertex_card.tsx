@@ -21,7 +21,9 @@ export function VertexCard({ name, vertex, facts: { p, pCurr, mass, springs, tar
     <>
       <p class="card-name">
         <strong>{name}</strong>{' '}
-        {target ? t('equations.card.vertex.pinned') : t('equations.card.vertex.springs', { count: springs })}
+        <span>
+          {target ? t('equations.card.vertex.pinned') : t('equations.card.vertex.springs', { count: springs })}
+        </span>
       </p>
       <Facts
         facts={[
