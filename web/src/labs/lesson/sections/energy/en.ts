@@ -59,8 +59,9 @@ What if both ends meet? Then every vector on the circle is equally close, and th
     wrong: 'plus differences of the energy',
   },
   sources: {
-    j: '[J] Alec Jacobson, Mass-Spring Systems: potential energy, forces, and the closest vector.',
-    l: '[L] Liu, Bargteil, O’Brien, Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 4, lemma on Hooke’s law.',
-    n: 'Jorge Nocedal, Stephen Wright, Numerical Optimization, chapter 8: finite differences.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Mass-Spring Systems”, potential energy and force; “Time integration as energy optimization”, the closest vector.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 4, the lemma on Hooke’s law.',
+    nocedal: 'J. Nocedal, S. Wright, Numerical Optimization: chapter 8, finite differences.',
   },
 };

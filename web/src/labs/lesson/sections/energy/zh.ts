@@ -61,8 +61,9 @@ $$\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)^2 = \min_{\lVert \sym
     wrong: '能量差商取正',
   },
   sources: {
-    j: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：势能、力与最近的向量。',
-    l: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 4 节，关于胡克定律的引理。',
-    n: 'J. Nocedal、S. Wright，Numerical Optimization：第 8 章，有限差分。',
+    jacobson:
+      'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Mass-Spring Systems”一节，势能与力；“Time integration as energy optimization”一节，最近的向量。',
+    liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 4 节，关于胡克定律的引理。',
+    nocedal: 'J. Nocedal、S. Wright，Numerical Optimization：第 8 章，有限差分。',
   },
 };

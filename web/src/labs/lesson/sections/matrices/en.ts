@@ -62,8 +62,9 @@ $\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
     answer: raw`With $\symd$ held, it does not: the three columns of $\symQ\symp = \symb$ are three systems with the same matrix. One factorisation serves all three, and the matrix is a third as wide. Newton’s method has no such luck: there $x$, $y$ and $z$ mix, and the matrix is $3n \times 3n$ and new in every iteration.`,
   },
   sources: {
-    j: '[J] Alec Jacobson, Mass-Spring Systems: matrices, traces and the global step.',
-    l: '[L] Liu, Bargteil, O’Brien, Kavan, 2013: section 4, where A and its Laplacian appear per spring.',
-    b: 'Stephen Boyd, Lieven Vandenberghe, Introduction to Applied Linear Algebra: incidence matrices (chapter 7), least squares (chapter 12).',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Matrices”, traces and the global step.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 4, where A and its Laplacian appear spring by spring.',
+    boyd: 'S. Boyd, L. Vandenberghe, Introduction to Applied Linear Algebra: chapter 7, incidence matrices; chapter 12, least squares.',
   },
 };

@@ -65,8 +65,8 @@ $\symC$ 和 $\symw$ 与固定点有关，详见[第 9 节](pins)。`,
     answer: raw`固定 $\symd$ 之后不会：$\symQ\symp = \symb$ 的三列是系数矩阵相同的三个方程组。一次分解可供三列共用，矩阵的宽度也只有三分之一。牛顿法就没有这样的好事：$x$、$y$、$z$ 相互耦合，矩阵是 $3n \times 3n$ 的，而且每次迭代都要重新形成。`,
   },
   sources: {
-    j: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：矩阵、迹与全局步。',
-    l: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 4 节，逐根弹簧地引入 A 与拉普拉斯矩阵。',
-    b: 'S. Boyd、L. Vandenberghe，Introduction to Applied Linear Algebra：关联矩阵（第 7 章），最小二乘（第 12 章）。',
+    jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Matrices”一节，迹与全局步。',
+    liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 4 节，逐根弹簧地引入 A 与拉普拉斯矩阵。',
+    boyd: 'S. Boyd、L. Vandenberghe，Introduction to Applied Linear Algebra：第 7 章，关联矩阵；第 12 章，最小二乘。',
   },
 };

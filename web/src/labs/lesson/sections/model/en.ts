@@ -44,8 +44,9 @@ A system is **at rest** when the forces on every free vertex cancel and nothing 
     caption: 'No pin: every spring keeps its rest length.',
   },
   sources: {
-    j: '[J] Alec Jacobson, Mass-Spring Systems: the sections on points, springs and the graph between them.',
-    v: '[V] David Levin, Mass-Spring Systems on Three Dimensions: particles and generalised coordinates.',
-    b: 'Andrew Witkin, David Baraff, Physically Based Modeling (SIGGRAPH course), “Particle System Dynamics”.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Mass-Spring Systems”, points, springs and the graph that they make.',
+    levin: 'D. Levin, Mass-Spring Systems on Three Dimensions (course text): particles and generalised coordinates.',
+    witkin: 'A. Witkin, D. Baraff, Physically Based Modeling (course text): “Particle System Dynamics”.',
   },
 };

@@ -46,8 +46,9 @@ $$\symm_i\,\syma_i = \symf_i.$$
     caption: '没有固定点：每根弹簧都保持原长。',
   },
   sources: {
-    j: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：关于质点、弹簧以及它们构成的图的小节。',
-    v: 'D. Levin，Mass-Spring Systems on Three Dimensions：质点与广义坐标。',
-    b: 'A. Witkin、D. Baraff，Physically Based Modeling（课程讲义）：“Particle System Dynamics”。',
+    jacobson:
+      'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Mass-Spring Systems”一节，质点、弹簧以及它们构成的图。',
+    levin: 'D. Levin，Mass-Spring Systems on Three Dimensions（课程讲义）：质点与广义坐标。',
+    witkin: 'A. Witkin、D. Baraff，Physically Based Modeling（课程讲义）：“Particle System Dynamics”。',
   },
 };

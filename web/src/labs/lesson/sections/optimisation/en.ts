@@ -90,11 +90,11 @@ gravity pulls up.`,
     },
   },
   sources: {
-    course:
-      'A. Jacobson, Computer Graphics – Mass-Spring Systems, course text: “Time integration as energy optimization”.',
-    paper: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 3.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Time integration as energy optimization”.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 3.',
     witkin:
-      'A. Witkin, D. Baraff, Physically Based Modeling, course notes: “Differential Equation Basics” and “Implicit Methods”.',
-    nocedal: 'J. Nocedal, S. Wright, Numerical Optimization: chapter 2, on conditions for a minimum.',
+      'A. Witkin, D. Baraff, Physically Based Modeling (course text): “Differential Equation Basics” and “Implicit Methods”.',
+    nocedal: 'J. Nocedal, S. Wright, Numerical Optimization: chapter 2, conditions for a minimum.',
   },
 };

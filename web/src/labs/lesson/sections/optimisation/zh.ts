@@ -83,9 +83,9 @@ $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\
     },
   },
   sources: {
-    course:
+    jacobson:
       'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Time integration as energy optimization”一节。',
-    paper: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 3 节。',
+    liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 3 节。',
     witkin:
       'A. Witkin、D. Baraff，Physically Based Modeling（课程讲义）：“Differential Equation Basics”与“Implicit Methods”。',
     nocedal: 'J. Nocedal、S. Wright，Numerical Optimization：第 2 章，极小点的条件。',

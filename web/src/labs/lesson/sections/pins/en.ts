@@ -55,8 +55,9 @@ The lab uses elimination by itself, because it is faster. As soon as you choose 
     b: 'changes of b',
   },
   sources: {
-    j: '[J] Alec Jacobson, Mass-Spring Systems: pinned vertices.',
-    v: '[V] David Levin, Mass-Spring Systems on Three Dimensions: fixed points by projection.',
-    n: 'Jorge Nocedal, Stephen Wright, Numerical Optimization, chapters 15 and 17: elimination of variables, quadratic penalty.',
+    jacobson: 'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Pinned Vertices”.',
+    levin: 'D. Levin, Mass-Spring Systems on Three Dimensions (course text): fixed points by projection.',
+    nocedal:
+      'J. Nocedal, S. Wright, Numerical Optimization: chapter 15, elimination of variables; chapter 17, quadratic penalty.',
   },
 };

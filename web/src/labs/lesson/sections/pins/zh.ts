@@ -57,8 +57,8 @@ $$\sympinEnergy = \tfrac12 \symw \sum_{i\;\text{固定}} \lVert \symp_i - \sympT
     b: 'b 的改变次数',
   },
   sources: {
-    j: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：固定点。',
-    v: 'D. Levin，Mass-Spring Systems on Three Dimensions：用投影处理固定点。',
-    n: 'J. Nocedal、S. Wright，Numerical Optimization：第 15、17 章，变量消去法与二次罚函数。',
+    jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Pinned Vertices”一节。',
+    levin: 'D. Levin，Mass-Spring Systems on Three Dimensions（课程讲义）：用投影处理固定点。',
+    nocedal: 'J. Nocedal、S. Wright，Numerical Optimization：第 15 章，变量消去法；第 17 章，二次罚函数。',
   },
 };

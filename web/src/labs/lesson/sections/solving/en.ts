@@ -115,11 +115,12 @@ dense factorisations. The triangle keeps most zeros. For the net of 61 vertices,
     inverse: 'Q⁻¹: {{count}} of {{all}}',
   },
   sources: {
-    jacobson: raw`A. Jacobson, Computer Graphics: Mass-Spring Systems, course text, "Matrices": solving as the action of an inverse.`,
-    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, SIGGRAPH Asia 2013, section 4: a matrix that can be factorised beforehand.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Matrices”, solving as the action of an inverse.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 4, a matrix that can be factorised beforehand.',
     golub:
-      'G. Golub, C. Van Loan, Matrix Computations, 4th ed., 3.1 (triangular systems) and 4.2 (positive definite systems).',
+      'G. Golub, C. Van Loan, Matrix Computations, 4th edition: section 3.1, triangular systems; section 4.2, positive definite systems.',
     george: raw`A. George, Nested Dissection of a Regular Finite Element Mesh, SIAM Journal on Numerical Analysis 10, 1973: $n^{1.5}$ and $n\log n$.`,
-    davis: 'T. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, chapters 3 and 4.',
+    davis: 'T. Davis, Direct Methods for Sparse Linear Systems, 2006: chapters 3 and 4.',
   },
 };

@@ -115,9 +115,10 @@ $$\symQ = \symk\symA^{\mathrm T}\symA + \symM/\symdeltaT^2 + \symw\symC^{\mathrm
     inverse: 'Q⁻¹：{{all}} 个中 {{count}} 个',
   },
   sources: {
-    jacobson: raw`A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Matrices”一节，把求解看作逆矩阵的作用。`,
+    jacobson:
+      'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Matrices”一节，把求解看作逆矩阵的作用。',
     liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 4 节，可以事先分解的矩阵。',
-    golub: 'G. Golub、C. Van Loan，Matrix Computations（第 4 版）：3.1 节（三角方程组）与 4.2 节（正定方程组）。',
+    golub: 'G. Golub、C. Van Loan，Matrix Computations（第 4 版）：3.1 节，三角方程组；4.2 节，正定方程组。',
     george: raw`A. George，Nested Dissection of a Regular Finite Element Mesh，SIAM Journal on Numerical Analysis 10，1973：$n^{1.5}$ 与 $n\log n$。`,
     davis: 'T. Davis，Direct Methods for Sparse Linear Systems，2006：第 3、4 章。',
   },

@@ -88,10 +88,10 @@ are renumbered, nothing else. A simple good rule: next comes the vertex with the
     caption: 'The net of 61 vertices. Coloured: fill-in.',
   },
   sources: {
-    jacobson: 'A. Jacobson, Computer Graphics: Mass-Spring Systems, course text, “Sparse Matrices”.',
+    jacobson: 'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Sparse Matrices”.',
     davis:
-      'T. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, chapter 2 (triplets, compressed storage), chapter 7 (orderings against fill-in).',
+      'T. Davis, Direct Methods for Sparse Linear Systems, 2006: chapter 2, triplets and compressed storage; chapter 7, orderings against fill-in.',
     george: 'A. George, J. Liu, The Evolution of the Minimum Degree Ordering Algorithm, SIAM Review 31, 1989.',
-    eigen: 'Eigen, Sparse matrix manipulations, “Filling a sparse matrix”.',
+    eigen: 'Eigen, Sparse matrix manipulations: “Filling a sparse matrix”.',
   },
 };

@@ -88,7 +88,7 @@ $\symP\symQ\symP^{\mathrm T} = \symL\symL^{\mathrm T}$：只是给质点重新�
   sources: {
     jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Sparse Matrices”一节。',
     davis:
-      'T. Davis，Direct Methods for Sparse Linear Systems，2006：第 2 章（三元组与压缩存储）、第 7 章（减少填充元的排序）。',
+      'T. Davis，Direct Methods for Sparse Linear Systems，2006：第 2 章，三元组与压缩存储；第 7 章，减少填充元的排序。',
     george: 'A. George、J. Liu，The Evolution of the Minimum Degree Ordering Algorithm，SIAM Review 31，1989。',
     eigen: 'Eigen，Sparse matrix manipulations：“Filling a sparse matrix”。',
   },

@@ -61,7 +61,8 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
     },
   },
   sources: {
-    j: '[J] Alec Jacobson, Mass-Spring Systems: the list of tasks; the names of the functions are the course’s.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Tasks”; the names of the functions are the course’s.',
     own: 'The code is this project’s own (MIT licence), written from the formulas: folder wasm/core.',
   },
 };

@@ -64,7 +64,7 @@ export const zh: Catalogue<typeof en> = {
     },
   },
   sources: {
-    j: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：任务列表；函数名沿用该课程。',
+    jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Tasks”一节；函数名沿用该课程。',
     own: '代码由本项目根据公式自行编写（MIT 许可证），位于 wasm/core 文件夹。',
   },
 };

@@ -46,9 +46,10 @@ from the end of the step, which always brakes a little. Taking them from its beg
       'Energy over simulated time with four lengths of the time step. All curves fall, those of longer steps further.',
   },
   sources: {
-    course:
-      'A. Jacobson, Computer Graphics – Mass-Spring Systems, course text: “Mass-Spring Systems”, up to the acceleration.',
-    paper: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 3.',
-    book: 'E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration: chapter I, on what methods do to the energy.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Mass-Spring Systems”, up to the differences for the acceleration.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: section 3.',
+    hairer:
+      'E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration: chapter I, what methods do to the energy.',
   },
 };

@@ -44,9 +44,9 @@ $\symdeltaT^2\syma$，箭头所指即 $\symp$。请用最右边的按钮逐步�
     summary: '四种时间步长下能量随模拟时间的变化。曲线都在下降，步长越大，降得越多。',
   },
   sources: {
-    course:
+    jacobson:
       'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Mass-Spring Systems”一节，至加速度的差分为止。',
-    paper: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 3 节。',
-    book: 'E. Hairer、C. Lubich、G. Wanner，Geometric Numerical Integration：第 I 章，数值方法对能量的影响。',
+    liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：第 3 节。',
+    hairer: 'E. Hairer、C. Lubich、G. Wanner，Geometric Numerical Integration：第 I 章，数值方法对能量的影响。',
   },
 };

@@ -105,11 +105,10 @@ export const en = {
     summary: 'The rounds needed grow with the stiffness number, though more slowly than the number itself.',
   },
   sources: {
-    course:
-      'A. Jacobson, course README “Mass-Spring Systems”, section “Time integration as energy optimization”: the helper d, both steps, fifty iterations.',
-    paper:
-      'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, “Fast Simulation of Mass-Spring Systems”, SIGGRAPH Asia 2013: the method, and its convergence against Newton’s.',
-    textbook:
-      'J. Nocedal, S. Wright, Numerical Optimization, 2nd edition, section 9.3: minimising in one group of variables after the other.',
+    jacobson:
+      'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Time integration as energy optimization”, the helper d, both steps, fifty iterations.',
+    liu: 'T. Liu, A. Bargteil, J. O’Brien, L. Kavan, Fast Simulation of Mass-Spring Systems, 2013: the method, and its convergence beside that of Newton’s.',
+    nocedal:
+      'J. Nocedal, S. Wright, Numerical Optimization: section 9.3, minimising in one group of variables after the other.',
   },
 };

@@ -99,10 +99,9 @@ export const zh: Catalogue<typeof en> = {
     summary: '所需轮数随刚度数增加，但增长得比刚度数慢。',
   },
   sources: {
-    course:
+    jacobson:
       'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Time integration as energy optimization”一节，辅助变量 d、两个半步、五十次迭代。',
-    paper:
-      'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：方法本身，以及它与牛顿法的收敛对比。',
-    textbook: 'J. Nocedal、S. Wright，Numerical Optimization：9.3 节，对各组变量轮流求最小。',
+    liu: 'T. Liu、A. Bargteil、J. O’Brien、L. Kavan，Fast Simulation of Mass-Spring Systems，2013：方法本身，以及它与牛顿法的收敛对比。',
+    nocedal: 'J. Nocedal、S. Wright，Numerical Optimization：9.3 节，对各组变量轮流求最小。',
   },
 };
