@@ -5,7 +5,7 @@ export const symbols: Catalogue<typeof en> = {
   name: {
     vertexCount: '质点数',
     springCount: '弹簧数',
-    V: '初始位置',
+    V: '静止位置',
     E: '弹簧列表',
     r: '原长',
     m: '质量',

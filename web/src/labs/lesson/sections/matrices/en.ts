@@ -57,7 +57,7 @@ $\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
     answer: raw`On the diagonal, how many springs vertex $i$ has: each contributes $(\pm1)^2$. Beside it, $-1$ for every vertex that a spring joins to $i$, and zero for all others. Rows add up to zero. In other fields the matrix is called the **graph Laplacian**. In the table above, with springs alone switched on, it is multiplied by $\symk$.`,
   },
   columns: {
-    ask: raw`Why three columns, and not one long vector with $3n$ entries?`,
+    ask: raw`Why three columns, and not one long vector with $3n$ entries for $n$ vertices?`,
     hint: raw`Does the $x$ of one vertex occur in the equation for the $y$ of another?`,
     answer: raw`With $\symd$ held, it does not: the three columns of $\symQ\symp = \symb$ are three systems with the same matrix. One factorisation serves all three, and the matrix is a third as wide. Newton’s method has no such luck: there $x$, $y$ and $z$ mix, and the matrix is $3n \times 3n$ and new in every iteration.`,
   },

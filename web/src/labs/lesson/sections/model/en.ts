@@ -6,7 +6,7 @@ A flag, a rope, a lump of jelly: all of them stretch, bend and swing. To compute
 
 What a computer has to be told is short:
 
-- $\symV$, one row for every point: where it rests, in metres. We call the points **vertices**.
+- $\symV$, one row for every point: its rest position, in metres. We call the points **vertices**.
 - $\symE$, one row for every spring: the two vertices $i$ and $j$ that it joins.
 - $\symm_i$, the mass of every vertex, in kilograms.
 - $\symk$, how stiff the springs are, in newtons for every metre they are stretched.
@@ -20,7 +20,7 @@ The length of a spring in $\symV$ is its **rest length** $\symr_{ij} = \lVert \s
   law: {
     title: 'One law for every vertex',
     text: raw`
-Every vertex obeys Newton's second law: mass times acceleration is the sum of the forces,
+Every vertex obeys Newton’s second law: mass times acceleration is the sum of the forces,
 
 $$\symm_i\,\syma_i = \symf_i.$$
 
@@ -40,7 +40,7 @@ A system is **at rest** when the forces on every free vertex cancel and nothing 
   least: {
     ask: raw`Which of the five things in the list above does the net need to fall freely, with no spring ever stretched?`,
     hint: raw`How does the acceleration of a falling stone depend on its mass?`,
-    answer: raw`Only $\symV$. Every vertex falls with $\symg$ whatever its mass, so distances stay as they are and no spring feels anything. Take the pin away (there is none in the figure below) and step: the net falls, its shape does not change.`,
+    answer: raw`Only $\symV$. Every vertex falls with $\symg$ whatever its mass, so distances stay as they are and no spring feels anything. The net below has no pin. Let it play: it falls, and its shape does not change.`,
     caption: 'No pin: every spring keeps its rest length.',
   },
   sources: {

@@ -1,7 +1,7 @@
 const { raw } = String;
 
 export const en = {
-  intro: raw`[Three positions](time) make an acceleration. Newton’s law for mass $i$, with the forces at the **end** of the step, where they
+  intro: raw`[Three positions](time) make an acceleration. Newton’s law for vertex $i$, with the forces at the **end** of the step, where they
 depend on the unknown $\symp$, is then an equation for $\symp$. With everything on one side:`,
   terms: {
     gradient: raw`Each of the three terms is the derivative of something by $\symp_i$. Call the sum of these somethings $\symobjective$; then the
@@ -9,7 +9,7 @@ equation says $\symgradient = 0$. That is what holds at the bottom of a valley. 
 point of a landscape**.`,
     title: 'Three wishes in one sum',
     wishes: raw`- The springs, $\sympotential$, want their rest lengths.
-- Inertia, $\syminertia$, wants every mass to go straight on, to $2\sympCurr_i - \sympPrev_i$, and the more so the heavier the mass and the
+- Inertia, $\syminertia$, wants every vertex to go straight on, to $2\sympCurr_i - \sympPrev_i$, and the more so the heavier it is and the
 shorter the step.
 - The external force, $\symexternal$, wants to push as far as it can: gravity wants down.
 
@@ -19,7 +19,7 @@ They cannot all have their way. The time step ends where their sum is smallest:`
     shown: 'The map shows',
     terms: { sum: 'the sum', springs: 'springs', inertia: 'inertia', external: 'external force' },
     values: 'At the present p',
-    caption: raw`One spring, one mass that can move: its $\symobjective$ is a map of the plane. Thin lines join places of equal energy, the
+    caption: raw`One spring, one vertex that can move: its $\symobjective$ is a map of the plane. Thin lines join places of equal energy, the
 strongest are the lowest. Cross: where inertia and gravity alone would lead. Dots: the iterates of this time step; the ring is the last of them.
 Press ½▶ to walk down.`,
     seen: raw`Look at the terms one by one: a ring of rest lengths around the pin, a round bowl, a slope. Now change $\symdeltaT$. In a short
@@ -32,7 +32,7 @@ to 0, and there Newton’s law holds. How close [other methods come on a whole n
     hint: raw`What would $\symobjective$ look like along a straight line if all its derivatives were linear? And what does a spring do on
 either side of its pin?`,
     answer: raw`Because of the length $\lVert\symp_i - \symp_j\rVert$, a square root. A linear force belongs to an energy that is a parabola along
-every line, with one lowest point. Pull the mass along a level line through the pin: the spring is content at one rest length to the left **and**
+every line, with one lowest point. Pull the vertex along a level line through the pin: the spring is content at one rest length to the left **and**
 at one to the right, and between them there is a peak.`,
     spring: 'energy of the spring',
     energy: raw`$\sympotential$, J`,
@@ -43,12 +43,12 @@ at one to the right, and between them there is a peak.`,
   explicit: {
     title: 'Why not take the forces that are known?',
     ask: raw`With the forces at $\sympCurr$ in place of those at $\symp$ nothing would have to be solved. What would happen?`,
-    hint: raw`A stiff spring, pulled a little too long, pulls back hard. If this pull is held for a whole step, how far does the mass go?`,
+    hint: raw`A stiff spring, pulled a little too long, pulls back hard. If this pull is held for a whole step, how far does the vertex go?`,
     answer: raw`Each step would be a single formula, and an **explicit** one:
 
 $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\sympCurr)$$
 
-A mass on one spring swings with $\omega = \sqrt{\symk/\symm}$. If $\symdeltaT\,\omega$ is more than 2, each step overshoots the rest length by
+A vertex on one spring swings with $\omega = \sqrt{\symk/\symm}$. If $\symdeltaT\,\omega$ is more than 2, each step overshoots the rest length by
 more than the last. Press play, then lower $\symk$ or $\symdeltaT$ until it holds.`,
     atStart: 'Forces at the start of the step',
     atEnd: 'Forces at its end',
@@ -68,7 +68,7 @@ and the fastest alone dictates $\symdeltaT$. The implicit step is stable with an
 hair, see how much $\symobjective$ changes, and compare with the forces.`,
     sign: {
       title: 'A minus before inertia',
-      why: raw`With the minus the derivative is $-\symm_i\syma_i - \symf_i$, and at its zero masses fall upwards.`,
+      why: raw`With the minus the derivative is $-\symm_i\syma_i - \symf_i$, and at its zero vertices fall upwards.`,
     },
     half: {
       title: 'Inertia without its ½',
@@ -76,7 +76,7 @@ hair, see how much $\symobjective$ changes, and compare with the forces.`,
     },
     previous: {
       title: raw`A minus before the older position`,
-      why: raw`Some of the matrix forms have it. A mass at rest, all three positions equal, must cost nothing; here it costs the more the
+      why: raw`Some of the matrix forms have it. A vertex at rest, all three positions equal, must cost nothing; here it costs the more the
 farther it is from the origin.`,
     },
     delta_t: {

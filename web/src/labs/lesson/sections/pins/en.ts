@@ -26,7 +26,7 @@ Why not take an even larger one? The factorisation would not mind: one huge numb
     text: raw`
 The other way is **elimination**. A pinned vertex is no unknown. Strike its row and its column out of $\symQ$; what its column would have multiplied is known, so it moves to the right side. The system is smaller, better conditioned, and the pin is held exactly. The price: a pin more or less is another matrix size, with another pattern, where the penalty only changes a number on the diagonal.
 
-The lab uses elimination by itself, because it is faster. As soon as you choose a $\symw$, it takes the penalty, so that you can see what it does.`,
+Left to itself the lab eliminates, because that is faster. As soon as you choose a $\symw$, it takes the penalty, so that you can see what it does.`,
     caption: 'The same triangle without w: what is left of Q, and what is struck out.',
     left: 'Q without the rows and columns of pinned vertices',
   },

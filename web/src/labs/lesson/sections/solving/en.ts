@@ -23,7 +23,7 @@ The first row of $\symL x = \symb$ has one entry, so a division gives $x_0$. The
 so on down: **forward substitution**. The other system is read from its last row up: **backward substitution**.
 `,
   substitution: {
-    caption: raw`Step through both substitutions. The numbers are the net's, for its heights: the middle column of $\symb$
+    caption: raw`Step through both substitutions. The numbers are those of the net, for its heights: the middle column of $\symb$
 and $\symp$. Then pull at a vertex, and move the slider: what changes $\symL$?`,
     steps: 'Rows solved',
     start: 'The first row of the left table has one entry that is not zero.',
@@ -38,7 +38,7 @@ Pulling changes $\symb$, and $x$ and $\symp$ with it. $\symL$ stays. It changes 
 $\symdeltaT$, $\symw$, a mass, a spring or the set of pinned vertices does.
 
 So a solver has two calls. **Precompute** factorises, once. **Solve** substitutes, in every iteration of every time step.
-At 50 iterations and 30 time steps that is one factorisation for 1,500 solves each second.
+At 50 iterations a time step and 30 time steps a second, one factorisation serves 1,500 solves every second.
 `,
   refactorise: {
     ask: 'I factorise inside the loop over the iterations, and the picture is right. Is that right?',
@@ -98,8 +98,8 @@ page goes on.
   },
   reading: raw`
 Your exponents will be near the theory, not equal to it, and differ from run to run. On small nets a call costs more than
-its arithmetic, so all lines begin flat; only the four largest nets are fitted. Large matrices leave the processor's fast
-cache, which makes lines steeper for a while. A browser's clock ticks coarsely, so short calls are repeated until they fill
+its arithmetic, so all lines begin flat; only the four largest nets are fitted. Large matrices leave the processor’s fast
+cache, which makes lines steeper for a while. A browser’s clock ticks coarsely, so short calls are repeated until they fill
 20 ms. And other programs share your processor.
 `,
   whyNotInverse: {

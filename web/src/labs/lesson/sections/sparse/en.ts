@@ -4,7 +4,7 @@ export const en = {
   which: raw`
 Entry $(i, j)$ of $\symQ$ differs from zero for two reasons only: $i = j$, or a spring joins $i$ and $j$. A spring adds
 $\symk$ at $(i, i)$ and at $(j, j)$, and $-\symk$ at $(i, j)$ and at $(j, i)$; masses and pins add to the diagonal. So there
-are $\symvertexCount + 2\,\symspringCount$ entries, out of $\symvertexCount^2$. Counted in the solver's own matrices:
+are $\symvertexCount + 2\,\symspringCount$ entries, out of $\symvertexCount^2$. Counted in the solver’s own matrices:
 `,
   counts: {
     caption: 'Entries of Q',
@@ -36,8 +36,8 @@ place **add up**. A sum over springs is just that: every spring writes its four 
     failed: 'No global step: in row {{row}} Cholesky needs the square root of {{pivot}}.',
   },
   overwriting: raw`
-With |=| only the last triplet of each diagonal place survives: the springs' share is lost there, but not beside it. The rows
-of the springs' part no longer add up to zero, so the net is pushed away from the origin of the coordinates (the arrows),
+With |=| only the last triplet of each diagonal place survives: the springs’ share is lost there, but not beside it. The rows
+of the springs’ part no longer add up to zero, so the net is pushed away from the origin of the coordinates (the arrows),
 which no spring should know of. Make the springs stiffer, and the matrix is not even positive definite: there is no
 $\symL$.
 `,

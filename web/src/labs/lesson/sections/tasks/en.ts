@@ -2,7 +2,7 @@ const { raw } = String;
 
 export const en = {
   intro: raw`
-Seven functions make the simulation. If you take a course, you will write them yourself; here is what goes into each, what comes out, and which formula it is. Below each is the solver's own version: the very file that this page was compiled from. **Try first, compare afterwards.**
+Seven functions make the simulation. If you take a course, you will write them yourself; here is what goes into each, what comes out, and which formula it is. Below each is the solver’s own version: the very file that this page was compiled from. **Try first, compare afterwards.**
 
 Point at a symbol in the code, and the same thing lights up in the formulas and in the figure; choose a spring and its symbols light up in the code.`,
   caption: 'What the functions work on. Step through a time step and follow it in the code below.',
@@ -50,12 +50,12 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
       answer: raw`In $\symb = \symk\symA^{\mathrm T}\symd + \symy$. Without it the matrix asks for springs of stiffness $\symk$ and the right side for springs of stiffness 1; the lengths on which they agree are about $\symk$ times too short.`,
     },
     order: {
-      ask: raw`The first steps look right, then the net creeps as if it had no inertia. Your friend’s flies back up instead of falling. What could be the wrong way round in yours, and what in hers?`,
+      ask: raw`The first steps look right, then the net creeps as if it had no inertia. Your friend’s jumps up and down, each time farther than before. What could be the wrong way round in yours, and what in hers?`,
       hint: raw`What is $\sympCurr - \sympPrev$, divided by $\symdeltaT$?`,
-      answer: raw`$\sympCurr - \sympPrev$ is the velocity. In yours $\sympCurr$ takes over $\symp$ **before** $\sympPrev$ takes over $\sympCurr$: then both are the same, and every step starts at rest. In hers the two are swapped in $2\sympCurr - \sympPrev$: the velocity has the wrong sign, and inertia throws everything back where it came from.`,
+      answer: raw`$\sympCurr - \sympPrev$ is the velocity. In yours $\sympCurr$ takes over $\symp$ **before** $\sympPrev$ takes over $\sympCurr$: then both are the same, and every step starts at rest. In hers the two are swapped in $2\sympCurr - \sympPrev$: the velocity has the wrong sign, so that inertia throws everything back past where it came from, about twice as far in every step.`,
     },
     slow: {
-      ask: raw`The flag takes five seconds a picture. Your functions are correct. What now?`,
+      ask: raw`The flag takes five seconds a frame. Your functions are correct. What now?`,
       hint: raw`Count the triplets, and count the factorisations.`,
       answer: raw`Two usual reasons: triplets of value zero (a loop over all pairs that adds $0$ where there is no spring makes $3321^2$ of them), or a factorisation in every step or iteration. The first belongs to [section 8](sparse), the second to [section 7](solving). And compile with optimisation: Eigen without it is tens of times slower.`,
     },

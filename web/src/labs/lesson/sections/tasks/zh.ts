@@ -53,9 +53,9 @@ export const zh: Catalogue<typeof en> = {
       answer: raw`还应出现在 $\symb = \symk\symA^{\mathrm T}\symd + \symy$ 中。漏掉它，矩阵按刚度 $\symk$ 的弹簧计算，右端却按刚度 1 计算，两边折中得到的长度大约只有应有长度的 $1/\symk$。`,
     },
     order: {
-      ask: raw`最初几步看上去没有问题，随后你的网却像失去惯性一样缓慢爬行；而你同学的网不往下落，反而飞了上去。你和同学分别可能把什么弄反了？`,
+      ask: raw`最初几步看上去没有问题，随后你的网却像失去惯性一样缓慢爬行；而你同学的网上下乱跳，一次比一次跳得远。你和同学分别可能把什么弄反了？`,
       hint: raw`$\sympCurr - \sympPrev$ 除以 $\symdeltaT$ 是什么？`,
-      answer: raw`$\sympCurr - \sympPrev$ 给出速度。你**先**把 $\symp$ 赋给了 $\sympCurr$，之后才把 $\sympCurr$ 赋给 $\sympPrev$：二者变得相同，每个时间步都从静止开始。同学则把 $2\sympCurr - \sympPrev$ 中的两项写反了：速度的符号相反，惯性把一切抛回原处。`,
+      answer: raw`$\sympCurr - \sympPrev$ 给出速度。你**先**把 $\symp$ 赋给了 $\sympCurr$，之后才把 $\sympCurr$ 赋给 $\sympPrev$：二者变得相同，每个时间步都从静止开始。同学则把 $2\sympCurr - \sympPrev$ 中的两项写反了：速度的符号相反，惯性把一切抛回来处并且越过它，每一步的距离大约加倍。`,
     },
     slow: {
       ask: raw`旗帜要五秒才能算出一帧，而你的函数都是对的。怎么办？`,

@@ -2,11 +2,11 @@ const { raw } = String;
 
 export const en = {
   intro: raw`Newton’s law $\symf = \symM\syma$ speaks of acceleration, which is defined at every instant. A computer animation, like a
-film, consists of single pictures. Between one picture and the next, $\symdeltaT$ later, nothing is stored. So velocity and acceleration
+film, consists of single pictures, its **frames**. Between one picture and the next, $\symdeltaT$ later, nothing is stored. So velocity and acceleration
 have to be made of what is there: **positions**.`,
   differences: {
     title: 'Differences in place of derivatives',
-    velocity: raw`The velocity of mass $i$ is the distance it has moved since the previous picture, divided by the time that this took:
+    velocity: raw`The velocity of vertex $i$ is the distance it has moved since the previous picture, divided by the time that this took:
 
 $$\symvelocity_i \approx \frac{\sympCurr_i - \sympPrev_i}{\symdeltaT}$$
 
@@ -21,9 +21,9 @@ Afterwards everything moves up by one place: $\sympCurr$ becomes $\sympPrev$, $\
 No velocity needs to be stored. A scene that starts at rest begins with $\sympPrev = \sympCurr$.`,
   },
   swing: {
-    caption: raw`A mass on a spring. Rings: the known $\sympPrev$ and $\sympCurr$. Left alone, it would go on along the dashed line, just as
-far again. The arrow is what the forces add to that, $\symdeltaT^2\syma$, and its tip is $\symp$. Step with the rightmost button, change
-$\symdeltaT$, pull at the mass.`,
+    caption: raw`A vertex on a spring. Rings: the known $\sympPrev$ and $\sympCurr$. With no force on it, it would go on along the dashed line, just as
+far again. The arrow is what the forces add to that, $\symdeltaT^2\syma$, and its tip is $\symp$. Step with the last button of the row, change
+$\symdeltaT$, pull at the vertex.`,
     table: 'Vertex 1, from its three positions',
   },
   size: {

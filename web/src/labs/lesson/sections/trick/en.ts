@@ -33,7 +33,7 @@ export const en = {
 
       $$\symQ\symp = \symb, \qquad \symb = \symk\symA^{\mathrm T}\symd + \symy$$
 
-      Then local again, with the new $\symp$. Neither half can raise $\symsurrogate$: each picks the best of what it may
+      Then local again, with the new $\symp$. Both together are one **iteration**, or round. Neither half can raise $\symsurrogate$: each picks the best of what it may
       choose, and to stay is one of the choices. Right after a local step $\symsurrogate = \symobjective$. So
       $\symobjective$ falls from round to round, or has arrived.
     `,
@@ -55,7 +55,7 @@ export const en = {
   },
   peanut: {
     ask: raw`A net sinks as if through peanut butter, though every formula in the program is right. What is too small?`,
-    hint: raw`How far does a single round move a point?`,
+    hint: raw`How far does a single round move a vertex?`,
     answer: raw`
       The number of rounds $K$. Every time step starts its search at $\sympCurr$, and every global step pulls towards
       springs that still point where they did. A few rounds go part of the way, and what is left undone acts like drag:

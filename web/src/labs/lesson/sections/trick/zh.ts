@@ -32,7 +32,7 @@ export const zh: Catalogue<typeof en> = {
 
       $$\symQ\symp = \symb, \qquad \symb = \symk\symA^{\mathrm T}\symd + \symy$$
 
-      然后用新的 $\symp$ 再做局部步，如此交替。两个半步都不会使 $\symsurrogate$ 增大：它们各自在允许的范围内取最优，
+      然后用新的 $\symp$ 再做局部步，如此交替。局部步和全局步各一次，称为一次**迭代**，也叫一轮。两个半步都不会使 $\symsurrogate$ 增大：它们各自在允许的范围内取最优，
       而“保持不动”总在允许之列。局部步刚做完时 $\symsurrogate = \symobjective$。因此每一轮之后
       $\symobjective$ 都会下降，除非已经到达极小点。
     `,
