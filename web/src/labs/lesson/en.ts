@@ -39,8 +39,8 @@ export const en = {
     playing: 't = {{step}}',
     loading: 'Loading the figure…',
     pictures: {
-      net: { name: 'The net', tagline: 'p' },
-      torn: { name: 'Every spring alone', tagline: 'd' },
+      net: 'All springs together',
+      torn: 'Every spring alone',
     },
   },
 };

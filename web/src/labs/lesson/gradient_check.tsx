@@ -42,7 +42,7 @@ export function GradientCheck({ figure, printedEnergy }: Props) {
   ];
   return (
     <div class="slip-check">
-      <table>
+      <table class="numbers">
         <caption>{fillTemplate(words.check, { i: vertex, h: formatQuantity(h, 'm', 1), unit: scale.unit })}</caption>
         <thead>
           <tr>

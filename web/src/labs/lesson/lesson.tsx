@@ -8,6 +8,7 @@ import { Contents } from './contents.tsx';
 import { LessonActions } from './lesson_actions.ts';
 import { SectionFrame } from './section_frame.tsx';
 import './lesson.css';
+import './numbers.css';
 
 /** The course's derivation, one section at a time: what it says can be touched. */
 export function Lesson({ actions }: { actions: Actions }) {

@@ -42,8 +42,8 @@ export const zh: Catalogue<typeof en> = {
     playing: 't = {{step}}',
     loading: '正在载入图……',
     pictures: {
-      net: { name: '整张网', tagline: 'p' },
-      torn: { name: '每根弹簧各自', tagline: 'd' },
+      net: '所有弹簧一起',
+      torn: '每根弹簧各自',
     },
   },
 };

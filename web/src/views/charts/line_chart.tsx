@@ -59,7 +59,7 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
     <figure class="line-chart">
       <p class="line-chart-label">{y.label}</p>
       <div ref={host} style={{ height: `${height}px` }}>
-        {width > 0 && (
+        {width > margin.left + margin.right && (
           <svg viewBox={`0 0 ${width} ${height}`} width={width} height={height} role="img" aria-label={summary}>
             {ticks(across).map((value) => (
               <g key={value} class="line-chart-tick">

@@ -9,7 +9,7 @@ import { netEnds, netPositions, projectedFrom, tornEnds } from './drawn_springs.
 import type { FigureSession } from './figure_session.ts';
 import { MoveArrows } from './move_arrows.tsx';
 import { PinLines, Pins } from './pins.tsx';
-import { windows } from './planar_scenes.ts';
+import { type Window, windows } from './planar_scenes.ts';
 import { Plane } from './plane.ts';
 import { SpringList } from './spring_list.tsx';
 import { springPath } from './spring_path.ts';
@@ -24,17 +24,17 @@ interface Props {
   figure: FigureSession;
   mode: PictureMode;
   name: string;
+  window?: Window | undefined;
   arrows?: ((frame: Frame) => Arrows) | undefined;
   behind?: ((drawing: Drawing) => ComponentChildren) | undefined;
 }
 
 /** A planar scene from the front. Its springs and vertices can be pointed at, focused and chosen; in the net the vertices can be pulled. */
-export function SpringPicture({ figure, mode, name, arrows, behind }: Props) {
+export function SpringPicture({ figure, mode, name, window = windows[figure.settings.scene], arrows, behind }: Props) {
   const host = useRef<HTMLDivElement>(null);
   const clip = useId();
   const width = useWidth(host);
   const halfStep = useHalfStep(figure);
-  const window = windows[figure.settings.scene];
   const ratio = (window.right - window.left) / (window.top - window.bottom);
   const palette = appliedTheme.value === 'dark' ? darkPalette : lightPalette;
   const colours = {

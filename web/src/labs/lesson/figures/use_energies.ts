@@ -33,7 +33,7 @@ export function useEnergies(figures: readonly FigureSession[]): readonly EnergyC
 }
 
 /** Of positions that are settled, the latest: those that the time step starts from or, once it is accepted, ends with. */
-function settledInstant(figure: FigureSession): Instant | null {
+export function settledInstant(figure: FigureSession): Instant | null {
   const here = figure.checkpoint();
   const frame = figure.frame.value;
   if (!here || !frame) return null;

@@ -3,9 +3,12 @@ import { cardId } from '../../../app/pointing.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
-import type { Plane } from './plane.ts';
+import type { Place, Plane } from './plane.ts';
 import { pulling } from './pulling.ts';
 import { rove } from './roving.ts';
+
+/** px from a vertex to the middle of its number. */
+const labelDistance = 19;
 
 interface Props {
   figure: FigureSession;
@@ -20,10 +23,11 @@ export function VertexList({ figure, p, plane }: Props) {
   const { vertex: selected } = figure.selection.value;
   const lit = litThings(figure).vertex;
   const allLit = areAllLit('vertex');
+  const places = Array.from(figure.scene.value.m, (_, i) => plane.place(p, i));
   return (
     <g role="listbox" aria-label={words.vertices}>
-      {Array.from(figure.scene.value.m, (_, i) => {
-        const [x, y] = plane.place(p, i);
+      {places.map(([x, y], i) => {
+        const [across, down] = awayFromSprings(i, figure.scene.value.E, places);
         return (
           <g
             key={i}
@@ -38,9 +42,9 @@ export function VertexList({ figure, p, plane }: Props) {
             onKeyDown={rove}
             {...pulling(figure, plane, i)}
           >
-            <circle class="touch" cx={x} cy={y} r={18} />
+            <circle class="touch" cx={x} cy={y} r={22} />
             <circle class="dot" cx={x} cy={y} r={6} />
-            <text x={x + 9} y={y - 9}>
+            <text x={x + labelDistance * across} y={y + labelDistance * down}>
               {i}
             </text>
           </g>
@@ -48,4 +52,19 @@ export function VertexList({ figure, p, plane }: Props) {
       })}
     </g>
   );
+}
+
+/** A unit vector that leads from vertex i away from its springs; where they surround it, between them. */
+function awayFromSprings(i: number, E: ArrayLike<number>, places: readonly Place[]): Place {
+  let [across, down] = [0, 0];
+  for (let end = 0; end < E.length; end++) {
+    if (E[end] !== i) continue;
+    const [x, y] = places[E[end ^ 1]]; // the other end of the same spring
+    const length = Math.hypot(places[i][0] - x, places[i][1] - y);
+    if (length === 0) continue;
+    across += (places[i][0] - x) / length;
+    down += (places[i][1] - y) / length;
+  }
+  const size = Math.hypot(across, down);
+  return size > 0.2 ? [across / size, down / size] : [Math.SQRT1_2, -Math.SQRT1_2];
 }

@@ -16,6 +16,9 @@ const oneSpring: FigureSettings = {
   opening: [{ kind: 'play', steps: 9 }],
 };
 
+/** m: all of the circle about the pin. */
+const window = { left: -1.65, right: 0.75, bottom: -1.2, top: 1.1 };
+
 const pointsToAsk = ({ p }: Frame) => [p];
 
 /** The spring's vector, the circle of all vectors of its rest length, and the closest of them. */
@@ -36,7 +39,7 @@ export function ClosestVector({ words }: Props) {
         ]
       : [];
   return (
-    <Figure figure={figure} pictures={['net']} behind={circle} sliders={['k']} caption={words.caption}>
+    <Figure figure={figure} pictures={['net']} behind={circle} window={window} sliders={['k']} caption={words.caption}>
       <dl class="closest-numbers">
         {rows.map(([name, value]) => (
           <div key={name}>
@@ -61,11 +64,10 @@ function circle({ figure, frame, plane }: Drawing) {
   const end = [p[0] + rest * along[0], p[1] + rest * along[1], 0];
   const [fixed, free, closest] = [plane.place(p, 0), plane.place(p, 1), plane.place(end, 0)];
   return (
-    // An inner svg clips: the circle is larger than the picture.
-    <svg width="100%" height={plane.height} aria-hidden="true">
+    <>
       <circle class="closest-circle" cx={fixed[0]} cy={fixed[1]} r={plane.length(rest)} data-about="r" />
       <line class="closest-vector" x1={fixed[0]} y1={fixed[1]} x2={closest[0]} y2={closest[1]} data-about="d" />
       <line class="closest-gap" x1={closest[0]} y1={closest[1]} x2={free[0]} y2={free[1]} />
-    </svg>
+    </>
   );
 }

@@ -42,18 +42,19 @@ What if both ends meet? Then every vector on the circle is equally close, and th
     answer: raw`No. The energy is zero on **both** sides, at $\symr$ to the left and to the right, with a peak in between where the ends meet. A parabola has one lowest point. Hold the closest vector $\symd$ fixed instead and a true parabola is left, $\tfrac12\symk\lVert(\symp_i-\symp_j)-\symd\rVert^2$: on one side it is the energy itself, on the other it lies above.`,
     summary:
       'Two curves over the place of one end. The energy of the spring has two lowest points and a peak between them; the parabola for fixed d is the same curve on the right side and lies above it on the left.',
-    x: raw`$\symp_i - \symp_j$ along the line (m)`,
-    y: raw`energy (J)`,
+    x: raw`$\symp_i - \symp_j$ along the line, m`,
+    y: raw`energy, J`,
     energy: 'spring',
     parabola: 'd held fixed',
-    caption: 'Change k: both curves grow with it, and keep their shape.',
+    caption:
+      'Pull vertex 1 through vertex 0 to its other side: the line in the chart stands at the length of the spring. Change k: both curves grow with it.',
   },
   sign: {
     ask: raw`Your net flies apart as soon as you touch it. You are sure of the formula. Which sign would you look at first?`,
     hint: raw`The gradient points where the energy grows.`,
     answer: raw`A force that is **plus** the gradient pushes a long spring longer: every stretch feeds itself. You can find such a slip without thinking: nudge one vertex by $\pm 10^{-5}$ m, see how the energy changes, divide. The table does it for vertex 1 while you pull.`,
     caption: 'Pull vertex 1 and compare.',
-    table: 'At vertex 1 (N)',
+    table: 'At vertex 1, N',
     formula: 'force by the formula',
     differences: 'minus differences of the energy',
     wrong: 'plus differences of the energy',

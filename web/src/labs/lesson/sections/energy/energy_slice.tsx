@@ -15,6 +15,11 @@ const oneSpring: FigureSettings = { scene: 'single-spring-horizontal', selection
 /** m: where vertex 1 is put, on the line through vertex 0 and beyond. */
 const places = Array.from({ length: 61 }, (_, at) => (at - 30) / 15);
 
+/** m: the spring is on the right side of vertex 0, or on the left. */
+function signedLength(p: Float64Array): number {
+  return Math.hypot(p[3] - p[0], p[4] - p[1]) * (p[3] < p[0] ? -1 : 1);
+}
+
 const pointsToAsk = () => places.map((x) => Float64Array.of(-0.5, 0, 0, -0.5 + x, 0, 0));
 
 /** The energy of one spring along a line, beside the parabola that is left when d is held. */
@@ -35,6 +40,7 @@ export function EnergySlice({ words, caption }: Props) {
         ]}
         x={{ label: <Phrase text={words.x} />, range: [-2, 2] }}
         y={{ label: <Phrase text={words.y} />, range: [0, 1.5 * k] }}
+        {...(seen && { cursor: signedLength(seen.frame.p) })}
         summary={words.summary}
       />
     </Figure>

@@ -1,4 +1,4 @@
-import { formatQuantity } from '../../../../lib/format.ts';
+import { formatFixed } from '../../../../lib/format.ts';
 import type { Frame } from '../../../../solver/frame.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
@@ -39,7 +39,7 @@ export function ForceCheck({ words }: Props) {
       : [];
   return (
     <Figure figure={figure} pictures={['net']} sliders={['k']} caption={words.caption}>
-      <table class="force-check">
+      <table class="numbers force-check">
         <caption>{words.table}</caption>
         <thead>
           <tr>
@@ -54,7 +54,7 @@ export function ForceCheck({ words }: Props) {
             <tr key={name}>
               <th scope="row">{name}</th>
               {newtons.map((value, axis) => (
-                <td key={axis}>{formatQuantity(value, 'N')}</td>
+                <td key={axis}>{formatFixed(value, 2)}</td>
               ))}
               <td>{verdict}</td>
             </tr>

@@ -33,7 +33,7 @@ A system is **at rest** when the forces on every free vertex cancel and nothing 
     hint: raw`A spring knows only the line between its ends. Could it push one end without pushing against the other?`,
     answer: raw`Each end is pulled towards the other, both equally hard. So the pulls of one spring cancel, and with them those of all springs: whatever you do to the net below, the last row stays zero. Springs pass momentum from vertex to vertex; they make none. Only gravity and the hand at the pin change the momentum of the whole.`,
     caption: 'What the springs pull at each vertex, and the sum of it. Pull at a vertex and watch.',
-    table: 'Pull of the springs (N)',
+    table: 'Pull of the springs, N',
     vertex: 'vertex',
     sum: 'sum',
   },

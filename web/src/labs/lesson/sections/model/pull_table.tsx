@@ -1,4 +1,4 @@
-import { formatQuantity } from '../../../../lib/format.ts';
+import { formatFixed } from '../../../../lib/format.ts';
 import type { FigureSession } from '../../figures/figure_session.ts';
 import { springPulls } from '../../figures/spring_pulls.ts';
 
@@ -14,11 +14,10 @@ export function PullTable({ figure, words }: Props) {
   if (!frame) return null;
   const pulls = springPulls(scene, figure.parameters.value.k, figure.r.value, frame.p);
   const sum = pulls.reduce(([x, y], pull) => [x + pull[0], y + pull[1]]);
-  const largest = Math.max(...pulls.flat().map(Math.abs));
-  // What is left of pulls that cancel is rounding.
-  const shown = (newtons: number) => formatQuantity(Math.abs(newtons) < 1e-12 * largest ? 0 : newtons, 'N');
+  // Pulls that cancel leave rounding behind, and its sign.
+  const shown = (newtons: number) => formatFixed(Math.abs(newtons) < 0.005 ? 0 : newtons, 2);
   return (
-    <table class="pulls">
+    <table class="numbers pulls">
       <caption>{words.table}</caption>
       <thead>
         <tr>

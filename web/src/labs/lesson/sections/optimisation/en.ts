@@ -53,6 +53,7 @@ more than the last. Press play, then lower $\symk$ or $\symdeltaT$ until it hold
     atStart: 'Forces at the start of the step',
     atEnd: 'Forces at its end',
     reading: 't = {{time}}\nenergy {{gained}}',
+    left: 'The vertex left the picture at t = {{time}}.',
     stable: raw`$\omega = {{omega}}\,\mathrm{s}^{-1}$, $\symdeltaT\,\omega = {{product}} < 2$: **stable**.`,
     unstable: raw`$\omega = {{omega}}\,\mathrm{s}^{-1}$, $\symdeltaT\,\omega = {{product}} \geq 2$: **unstable**.`,
     energy: 'Change of energy since the start, J',

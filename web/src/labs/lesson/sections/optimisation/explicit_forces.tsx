@@ -12,6 +12,7 @@ import { useFigures } from '../../figures/use_figures.ts';
 import { en } from './en.ts';
 import { free } from './landscape_grid.ts';
 import { angularFrequency, exploded } from './stability.ts';
+import { useLeaving } from './use_leaving.ts';
 import { useRun } from './use_run.ts';
 import { zh } from './zh.ts';
 
@@ -37,6 +38,7 @@ export function ExplicitForces() {
   const over = time >= duration || gained > exploded;
   const running = wanted && !over;
   useRun(running, explicit, implicit);
+  const leavings = [useLeaving(explicit, free), useLeaving(implicit, free)];
 
   const restart = () => {
     for (const figure of figures) figure.order({ kind: 'reset' });
@@ -60,12 +62,15 @@ export function ExplicitForces() {
     <SideBySide
       figures={figures}
       names={[words.atStart, words.atEnd]}
-      readings={energies.map((curve) =>
-        fillTemplate(words.reading, {
+      readings={energies.map((curve, at) => {
+        const left = leavings[at];
+        const reading = fillTemplate(words.reading, {
           time: formatQuantity(last(curve)[0], 's'),
           gained: formatQuantity(last(curve)[1], 'J'),
-        }),
-      )}
+        });
+        const leaving = left === null ? '' : fillTemplate(words.left, { time: formatQuantity(left, 's') });
+        return `${reading}\n${leaving}`;
+      })}
       running={running}
       onToggle={toggle}
       onReset={reset}

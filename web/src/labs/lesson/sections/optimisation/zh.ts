@@ -50,6 +50,7 @@ $$\symp_i = 2\sympCurr_i - \sympPrev_i + \frac{\symdeltaT^2}{\symm_i}\,\symf_i(\
     atStart: '取时间步始端的力',
     atEnd: '取时间步末端的力',
     reading: 't = {{time}}\n能量 {{gained}}',
+    left: '质点在 t = {{time}} 时离开了画面。',
     stable: raw`$\omega = {{omega}}\,\mathrm{s}^{-1}$，$\symdeltaT\,\omega = {{product}} < 2$：**稳定**。`,
     unstable: raw`$\omega = {{omega}}\,\mathrm{s}^{-1}$，$\symdeltaT\,\omega = {{product}} \geq 2$：**不稳定**。`,
     energy: '相对于开始时的能量变化，J',

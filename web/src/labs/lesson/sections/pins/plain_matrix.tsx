@@ -13,7 +13,7 @@ interface Props {
 /** Rows and columns of some vertices of a #V × #V matrix. */
 export function PlainMatrix({ caption, values, size, vertices }: Props) {
   return (
-    <table class="plain-matrix">
+    <table class="numbers plain-matrix">
       <caption>{caption}</caption>
       <thead>
         <tr>

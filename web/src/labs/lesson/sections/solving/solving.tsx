@@ -8,7 +8,6 @@ import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
 import { InverseExperiment } from './inverse_experiment.tsx';
 import { RefactorisingExperiment } from './refactorising_experiment.tsx';
-import '../../numbers.css';
 import './solving.css';
 import { SubstitutionFigure } from './substitution_figure.tsx';
 import { TimingExperiment } from './timing_experiment.tsx';
@@ -33,7 +32,7 @@ export function Solving() {
   return (
     <>
       <Prose text={words.action} />
-      <Figure figure={figure} pictures={['net']} sliders={['k']} caption={words.substitution.caption}>
+      <Figure figure={figure} pictures={['net']} sliders={['k']} wide caption={words.substitution.caption}>
         <SubstitutionFigure figure={figure} />
       </Figure>
       <Prose text={words.precompute} />

@@ -18,7 +18,6 @@ import { FlagExperiment } from './flag_experiment.tsx';
 import { GlobalStepReport } from './global_step_report.tsx';
 import { globalStepWith } from './global_step_with.ts';
 import { InsertionExperiment } from './insertion_experiment.tsx';
-import '../../numbers.css';
 import './sparse.css';
 import { TripletsFigure } from './triplets_figure.tsx';
 import { zh } from './zh.ts';

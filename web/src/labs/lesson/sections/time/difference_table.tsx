@@ -26,7 +26,7 @@ export function DifferenceTable({ figure }: { figure: FigureSession }) {
     { tex: raw`\syma_${swinging}`, values: acceleration(frame.p, p_curr, p_prev, delta_t), unit: 'm/s²', decimals: 2 },
   ];
   return (
-    <table class="difference-table">
+    <table class="numbers difference-table">
       <caption>{words.swing.table}</caption>
       <thead>
         <tr>

@@ -37,7 +37,7 @@ export const en = {
       choose, and to stay is one of the choices. Right after a local step $\symsurrogate = \symobjective$. So
       $\symobjective$ falls from round to round, or has arrived.
     `,
-    caption: raw`Go on by half-steps. The local step shows in “Every spring alone”: each takes its rest length along its present direction, and the net tears. The global step shows in “The net”: one solve stitches it together; arrows show what moved. Pull at a vertex, then step again.`,
+    caption: raw`Go on by half-steps. The local step shows in “Every spring alone”: each takes its rest length along its present direction, and the net tears. The global step shows in “All springs together”: one solve stitches it together; arrows show what moved. Pull at a vertex, then step again.`,
   },
   loops: {
     ask: raw`After the global step we go back to the local one. Has time gone on?`,

@@ -29,7 +29,7 @@ export function WhatChanges({ words }: { words: typeof en.loops }) {
 
   return (
     <Figure figure={figure} pictures={['torn', 'net']} caption={words.caption}>
-      <table class="what-changes">
+      <table class="numbers what-changes">
         <tbody>
           {ids.map((id) => {
             const value = seen && textOf(id, seen, spring ?? 0, vertex ?? 0);
