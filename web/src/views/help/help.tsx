@@ -1,28 +1,52 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { type MessageKey, t } from '../../app/messages/index.ts';
+import { type Route, route } from '../../app/route.ts';
 import { Icon } from '../../lib/icon.tsx';
 import './help.css';
 
-const keys: [string, MessageKey][] = [
-  ['Space', 'page.keys.space'],
-  ['A', 'page.keys.animate'],
-  ['← →', 'page.keys.halfSteps'],
-  ['↑ ↓', 'page.keys.steps'],
-  ['L', 'page.keys.springs'],
-  ['W', 'page.keys.wind'],
-  ['R', 'page.keys.reset'],
-  ['Shift ← → ↑ ↓', 'page.keys.turn'],
-  ['+  −  0', 'page.keys.zoom'],
-  ['?', 'page.keys.help'],
-  ['Esc', 'page.keys.escape'],
-  ['← → ↑ ↓', 'page.keys.pinArrows'],
-  ['PgUp PgDn', 'page.keys.pinPages'],
-];
-const gestures: MessageKey[] = ['page.keys.drag', 'page.keys.click', 'page.keys.shiftClick', 'page.keys.orbit'];
+interface Topics {
+  gestures: readonly MessageKey[];
+  keys: readonly (readonly [key: string, meaning: MessageKey])[];
+}
+
+/** What can be done on each page. */
+const topics: Record<Route['page'], Topics> = {
+  springs: {
+    gestures: ['page.keys.drag', 'page.keys.click', 'page.keys.shiftClick', 'page.keys.orbit'],
+    keys: [
+      ['Space', 'page.keys.space'],
+      ['A', 'page.keys.animate'],
+      ['← →', 'page.keys.halfSteps'],
+      ['↑ ↓', 'page.keys.steps'],
+      ['L', 'page.keys.springs'],
+      ['W', 'page.keys.wind'],
+      ['R', 'page.keys.reset'],
+      ['Shift ← → ↑ ↓', 'page.keys.turn'],
+      ['+  −  0', 'page.keys.zoom'],
+      ['?', 'page.keys.help'],
+      ['Esc', 'page.keys.escape'],
+      ['← → ↑ ↓', 'page.keys.pinArrows'],
+      ['PgUp PgDn', 'page.keys.pinPages'],
+    ],
+  },
+  lesson: {
+    gestures: ['page.keys.drag', 'page.keys.lesson.pull', 'page.keys.lesson.choose', 'page.keys.lesson.symbol'],
+    keys: [
+      ['Tab', 'page.keys.lesson.tab'],
+      ['Enter', 'page.keys.lesson.open'],
+      ['← →', 'page.keys.lesson.rove'],
+      ['← → ↑ ↓', 'page.keys.lesson.pinArrows'],
+      ['← →', 'page.keys.lesson.slider'],
+      ['?', 'page.keys.help'],
+      ['Esc', 'page.keys.lesson.escape'],
+    ],
+  },
+};
 
 /** The list of keys and gestures, beside the page rather than over it: nothing stops while it is open. */
 export function Help({ onClose }: { onClose: () => void }) {
   const close = useRef<HTMLButtonElement>(null);
+  const { gestures, keys } = topics[route.value.page];
   useEffect(() => {
     const before = document.activeElement;
     close.current?.focus();

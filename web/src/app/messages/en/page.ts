@@ -197,6 +197,17 @@ export const page = {
     click: 'click or tap a spring or vertex: see its numbers in both equations',
     shiftClick: 'Shift-click a vertex, or select it and press “Pin this vertex”: pin or free it',
     orbit: 'drag elsewhere: turn · pinch, or wheel with Ctrl: zoom',
+    lesson: {
+      pull: 'drag a vertex: pull at it; time runs while you hold it',
+      choose: 'click or tap a spring or vertex: choose it; it lights up in tables and formulas too',
+      symbol: 'point at a symbol, or tap it: what it means, and where else it stands',
+      tab: 'to the next symbol, figure, button or link',
+      open: 'open or close a hint or an answer; press a button',
+      rove: 'in a picture: the next spring or vertex',
+      pinArrows: 'on a pin: move it (with Shift ten times as far)',
+      slider: 'on a slider: change its value',
+      escape: 'close this list, or a symbol’s card',
+    },
   },
   update: { ready: 'A new version is ready.', apply: 'Load it' },
   progress: {
