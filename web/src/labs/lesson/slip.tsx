@@ -23,22 +23,26 @@ export function Slip({ figure, printed, right, why, printedEnergy }: Props) {
       <p class="slip-label" aria-hidden="true">
         {words.label}
       </p>
-      <dl>
-        <dt>
-          <span class="slip-wrong">✗</span> {words.printed}
-        </dt>
-        <dd>
-          <WideFormula tex={printed} />
-        </dd>
-        <dt>
-          <span class="slip-right">✓</span> {words.right}
-        </dt>
-        <dd>
-          <WideFormula tex={right} />
-        </dd>
-      </dl>
-      <Prose text={why} />
-      <GradientCheck figure={figure} printedEnergy={printedEnergy} />
+      <div class="slip-columns">
+        <div>
+          <dl>
+            <dt>
+              <span class="slip-wrong">✗</span> {words.printed}
+            </dt>
+            <dd>
+              <WideFormula tex={printed} />
+            </dd>
+            <dt>
+              <span class="slip-right">✓</span> {words.right}
+            </dt>
+            <dd>
+              <WideFormula tex={right} />
+            </dd>
+          </dl>
+          <Prose text={why} />
+        </div>
+        <GradientCheck figure={figure} printedEnergy={printedEnergy} />
+      </div>
     </aside>
   );
 }

@@ -25,25 +25,13 @@ interface Props {
   sliders?: readonly SliderName[];
   /** What the picture shows, where it is not what the scene stays in. */
   window?: Window;
-  /** Whether the children need the figure's whole width: below the picture, not beside it. */
-  wide?: boolean;
   caption: string;
   /** Numbers, matrices, plots: what else shows this figure's moment. */
   children?: ComponentChildren;
 }
 
 /** A small simulation in the text: pictures, clock, sliders, caption, and the way to the lab. It sleeps when it is off the screen. */
-export function Figure({
-  figure,
-  pictures,
-  arrows,
-  behind,
-  sliders = [],
-  window,
-  wide = false,
-  caption,
-  children,
-}: Props) {
+export function Figure({ figure, pictures, arrows, behind, sliders = [], window, caption, children }: Props) {
   const host = useRef<HTMLElement>(null);
   const words = lessonWords().figure;
   const refusal = figure.refusal.value;
@@ -89,10 +77,9 @@ export function Figure({
               {t(refusal.key, refusal.params)}
             </p>
           )}
-          {!wide && children}
+          {children}
         </div>
       </div>
-      {wide && children}
       <figcaption>
         <Phrase text={caption} />
       </figcaption>

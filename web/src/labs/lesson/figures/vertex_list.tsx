@@ -8,7 +8,7 @@ import { pulling } from './pulling.ts';
 import { rove } from './roving.ts';
 
 /** px from a vertex to the middle of its number. */
-const labelDistance = 19;
+const labelDistance = 21;
 
 interface Props {
   figure: FigureSession;
@@ -54,17 +54,15 @@ export function VertexList({ figure, p, plane }: Props) {
   );
 }
 
-/** A unit vector that leads from vertex i away from its springs; where they surround it, between them. */
+/** A unit vector: from vertex i into the middle of the widest angle between its springs. */
 function awayFromSprings(i: number, E: ArrayLike<number>, places: readonly Place[]): Place {
-  let [across, down] = [0, 0];
-  for (let end = 0; end < E.length; end++) {
-    if (E[end] !== i) continue;
-    const [x, y] = places[E[end ^ 1]]; // the other end of the same spring
-    const length = Math.hypot(places[i][0] - x, places[i][1] - y);
-    if (length === 0) continue;
-    across += (places[i][0] - x) / length;
-    down += (places[i][1] - y) / length;
-  }
-  const size = Math.hypot(across, down);
-  return size > 0.2 ? [across / size, down / size] : [Math.SQRT1_2, -Math.SQRT1_2];
+  const [x, y] = places[i];
+  const angles = Array.from(E, (vertex, end) => ({ vertex, other: places[E[end ^ 1]] })) // E[end ^ 1]: the same spring's other end
+    .filter(({ vertex }) => vertex === i)
+    .map(({ other }) => Math.atan2(other[1] - y, other[0] - x))
+    .sort((a, b) => a - b);
+  const gaps = angles.map((angle, at) => (angles[at + 1] ?? angles[0] + 2 * Math.PI) - angle);
+  const widest = gaps.indexOf(Math.max(...gaps));
+  const middle = angles.length > 0 ? angles[widest] + gaps[widest] / 2 : -Math.PI / 2;
+  return [Math.cos(middle), Math.sin(middle)];
 }

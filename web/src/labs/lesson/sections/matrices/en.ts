@@ -43,6 +43,23 @@ $\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
     masses: 'masses',
     pins: 'pins',
   },
+  constants: {
+    ask: raw`Multiplied out, $\symsurrogate$ also has terms without $\symp$, such as $\tfrac12\symk\operatorname{tr}(\symd^{\mathrm T}\symd)$. Why does nobody bother to write them down?`,
+    hint: raw`Lift a valley by ten metres. Where is its lowest point now?`,
+    answer: raw`Because we look for the place of the lowest point, not for its height. A constant lifts the whole curve; its derivative is zero, so neither $\symQ$ nor $\symb$ knows of it. What is left is
+
+$$\tfrac12\operatorname{tr}(\symp^{\mathrm T}\symQ\symp) - \operatorname{tr}(\symp^{\mathrm T}\symb)$$
+
+The chart moves vertex 1 up and down, with $\symd$ held, and draws both.`,
+    caption:
+      'Step on, or pull at vertex 1: the curves change, their distance changes, their lowest point stays common.',
+    whole: 'with constants',
+    left: 'without',
+    x: 'vertex 1, above where it is now, m',
+    y: raw`$\symsurrogate$, J`,
+    summary: 'Two parabolas, one exactly above the other.',
+    difference: 'The constants come to {{difference}}, wherever vertex 1 is.',
+  },
   changes: {
     ask: raw`You pull at a vertex. Which of $\symA$, $\symM$, $\symQ$, $\symp$, $\symd$ and $\symb$ change? And which when you change $\symk$?`,
     hint: raw`Look for $\symp$ in the definition of each.`,
@@ -54,7 +71,8 @@ $\symC$ and $\symw$ belong to the pins; [section 9](pins) is about them.`,
   laplacian: {
     ask: raw`What stands in row $i$ of $\symA^{\mathrm T}\symA$?`,
     hint: raw`Entry $(i, j)$ is the product of two columns of $\symA$: go through the springs and see where both have something.`,
-    answer: raw`On the diagonal, how many springs vertex $i$ has: each contributes $(\pm1)^2$. Beside it, $-1$ for every vertex that a spring joins to $i$, and zero for all others. Rows add up to zero. In other fields the matrix is called the **graph Laplacian**. In the table above, with springs alone switched on, it is multiplied by $\symk$.`,
+    answer: raw`On the diagonal, how many springs vertex $i$ has: each contributes $(\pm1)^2$. Beside it, $-1$ for every vertex that a spring joins to $i$, and zero for all others. Rows add up to zero. In other fields the matrix is called the **graph Laplacian**. In the table of $\symQ$ above, with springs alone switched on, it is multiplied by $\symk$. Here it is for a net of nine:`,
+    caption: 'Point at a number beside the table: its vertex lights up. Count its springs.',
   },
   columns: {
     ask: raw`Why three columns, and not one long vector with $3n$ entries for $n$ vertices?`,

@@ -6,6 +6,8 @@ import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { BothSides } from './both_sides.tsx';
 import { en } from './en.ts';
+import { Laplacian } from './laplacian.tsx';
+import { LiftedParabola } from './lifted_parabola.tsx';
 import { QTerms } from './q_terms.tsx';
 import { hanging, SpringsProduct } from './springs_product.tsx';
 import { WhatChanged } from './what_changed.tsx';
@@ -27,10 +29,15 @@ export function Matrices() {
       <h3>{words.collect.title}</h3>
       <Prose text={words.collect.text} />
       <QTerms words={words.collect} />
+      <Question ask={words.constants.ask} hint={words.constants.hint} answer={words.constants.answer}>
+        <LiftedParabola words={words.constants} />
+      </Question>
       <Question ask={words.changes.ask} hint={words.changes.hint} answer={words.changes.answer}>
         <WhatChanged words={words.changes} />
       </Question>
-      <Question {...words.laplacian} />
+      <Question ask={words.laplacian.ask} hint={words.laplacian.hint} answer={words.laplacian.answer}>
+        <Laplacian caption={words.laplacian.caption} />
+      </Question>
       <Question {...words.columns} />
       <Sources items={words.sources} />
     </>

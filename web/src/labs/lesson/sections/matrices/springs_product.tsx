@@ -24,7 +24,7 @@ interface Props {
 /** A p = v. */
 export function SpringsProduct({ figure, seen, caption }: Props) {
   return (
-    <Figure figure={figure} pictures={['net']} wide caption={caption}>
+    <Figure figure={figure} pictures={['net']} caption={caption}>
       <div class="matrices-room">{seen && <Product figure={figure} seen={seen} />}</div>
     </Figure>
   );

@@ -46,6 +46,22 @@ $\symC$ 和 $\symw$ 与固定点有关，详见[第 9 节](pins)。`,
     masses: '质量',
     pins: '固定点',
   },
+  constants: {
+    ask: raw`把 $\symsurrogate$ 展开，还有一些不含 $\symp$ 的项，例如 $\tfrac12\symk\operatorname{tr}(\symd^{\mathrm T}\symd)$。为什么没有人费心把它们写出来？`,
+    hint: raw`把一座山谷整个抬高十米，最低点会移到哪里？`,
+    answer: raw`因为要找的是最低点的位置，而不是它的高度。常数项只把整条曲线抬高；它的导数为零，所以 $\symQ$ 和 $\symb$ 都与它无关。剩下的是
+
+$$\tfrac12\operatorname{tr}(\symp^{\mathrm T}\symQ\symp) - \operatorname{tr}(\symp^{\mathrm T}\symb)$$
+
+下图固定 $\symd$，让质点 1 上下移动，画出了这两条曲线。`,
+    caption: '继续前进，或拖动质点 1：曲线会变，两者的间距也会变，最低点的位置却始终相同。',
+    whole: '含常数项',
+    left: '不含常数项',
+    x: '质点 1 高出当前位置的距离，m',
+    y: raw`$\symsurrogate$，J`,
+    summary: '两条抛物线，一条恰好在另一条的正上方。',
+    difference: '常数项共计 {{difference}}，与质点 1 的位置无关。',
+  },
   changes: {
     ask: raw`拖动一个质点时，$\symA$、$\symM$、$\symQ$、$\symp$、$\symd$ 和 $\symb$ 中哪些会改变？改变 $\symk$ 时又有哪些会改变？`,
     hint: raw`在它们各自的定义中找一找 $\symp$。`,
@@ -57,7 +73,8 @@ $\symC$ 和 $\symw$ 与固定点有关，详见[第 9 节](pins)。`,
   laplacian: {
     ask: raw`$\symA^{\mathrm T}\symA$ 的第 $i$ 行是什么？`,
     hint: raw`元素 $(i, j)$ 是 $\symA$ 的两列之积：逐根检查弹簧，看哪里两列都不为零。`,
-    answer: raw`对角线上是质点 $i$ 所连弹簧的根数，每根弹簧贡献 $(\pm1)^2$。对角线之外，凡与 $i$ 有弹簧相连的质点处为 $-1$，其余为零。每一行之和都等于零。在其他领域，这个矩阵叫作**图拉普拉斯矩阵**。在上面的表格中只打开弹簧项，看到的就是它的 $\symk$ 倍。`,
+    answer: raw`对角线上是质点 $i$ 所连弹簧的根数，每根弹簧贡献 $(\pm1)^2$。对角线之外，凡与 $i$ 有弹簧相连的质点处为 $-1$，其余为零。每一行之和都等于零。在其他领域，这个矩阵叫作**图拉普拉斯矩阵**。在上面 $\symQ$ 的表格中只打开弹簧项，看到的就是它的 $\symk$ 倍。下面是九个质点的网：`,
+    caption: '指向表格旁的编号，对应的质点就会亮起。数一数它的弹簧。',
   },
   columns: {
     ask: raw`为什么用三列，而不用一个含 $3n$ 个元素的长向量（$n$ 为质点数）？`,

@@ -68,7 +68,7 @@ export function ExplicitForces() {
           time: formatQuantity(last(curve)[0], 's'),
           gained: formatQuantity(last(curve)[1], 'J'),
         });
-        const leaving = left === null ? '' : fillTemplate(words.left, { time: formatQuantity(left, 's') });
+        const leaving = left === null ? '\u00a0' : fillTemplate(words.left, { time: formatQuantity(left, 's') });
         return `${reading}\n${leaving}`;
       })}
       running={running}

@@ -1,5 +1,5 @@
 import { useRef } from 'preact/hooks';
-import { Formula } from '../../../../views/equations/formula.tsx';
+import { Phrase } from '../../../../views/equations/prose.tsx';
 import { changesBetween, type Numbers } from '../../figures/changes.ts';
 import { denseValues } from '../../figures/dense_values.ts';
 import { Figure } from '../../figures/figure.tsx';
@@ -29,7 +29,7 @@ export function ChangeCounters({ words }: { words: Record<'caption' | 'q' | 'b',
         {counted.map((id) => (
           <div key={id}>
             <dt>
-              <Formula tex={`\\sym${id}`} /> {id === 'Q' ? words.q : words.b}
+              <Phrase text={id === 'Q' ? words.q : words.b} />
             </dt>
             <dd data-testid={`changes-of-${id}`}>{counts.current[id]}</dd>
           </div>

@@ -11,11 +11,18 @@ const held: FigureSettings = { scene: 'triangle', selection: { spring: 0, vertex
 export function Eliminated({ words }: { words: Record<'caption' | 'left', string> }) {
   const figure = useFigure(held);
   const seen = useInspection(figure);
-  const free = seen ? Array.from(seen.m, (_, i) => i).filter((i) => !seen.frame.pinned.includes(i)) : [];
   return (
     <Figure figure={figure} pictures={['net']} sliders={['k', 'mass_scale']} caption={words.caption}>
       <div class="pins-room">
-        {seen && <PlainMatrix caption={words.left} values={denseValues(seen.Q)} size={seen.Q.rows} vertices={free} />}
+        {seen && (
+          <PlainMatrix
+            caption={words.left}
+            values={denseValues(seen.Q)}
+            size={seen.Q.rows}
+            vertices={Array.from(seen.m, (_, i) => i)}
+            struck={Array.from(seen.frame.pinned)}
+          />
+        )}
       </div>
     </Figure>
   );

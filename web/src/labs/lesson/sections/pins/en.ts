@@ -28,7 +28,7 @@ The other way is **elimination**. A pinned vertex is no unknown. Strike its row 
 
 Left to itself the lab eliminates, because that is faster. As soon as you choose a $\symw$, it takes the penalty, so that you can see what it does.`,
     caption: 'The same triangle without w: what is left of Q, and what is struck out.',
-    left: 'Q without the rows and columns of pinned vertices',
+    left: 'Q, rows and columns of pinned vertices struck out',
   },
   every: {
     ask: raw`Is the penalty added to every entry of $\symQ$, or to some rows?`,
@@ -51,8 +51,8 @@ Left to itself the lab eliminates, because that is faster. As soon as you choose
     hint: raw`Where does $\sympTarget$ stand?`,
     answer: raw`Dragging changes the target, and that stands on the right side only: no. Pinning another vertex changes $\symC$, hence $\symQ$: yes. Drag below: however long you pull, the counter of $\symQ$ does not move.`,
     caption: 'Drag the pin (the square), and compare the counters.',
-    q: 'changes of Q',
-    b: 'changes of b',
+    q: raw`changes of $\symQ$`,
+    b: raw`changes of $\symb$`,
   },
   sources: {
     jacobson: 'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Pinned Vertices”.',

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
-import { formatNumber } from '../../../../lib/format.ts';
+import { formatFixed, formatNumber } from '../../../../lib/format.ts';
+import './plain_matrix.css';
 
 interface Props {
   caption: ComponentChildren;
@@ -8,10 +9,13 @@ interface Props {
   size: number;
   /** The vertices whose rows and columns are shown. */
   vertices: readonly number[];
+  /** Those whose rows and columns are struck out. */
+  struck?: readonly number[];
 }
 
 /** Rows and columns of some vertices of a #V × #V matrix. */
-export function PlainMatrix({ caption, values, size, vertices }: Props) {
+export function PlainMatrix({ caption, values, size, vertices, struck = [] }: Props) {
+  const isStruck = (...heads: number[]) => (heads.some((vertex) => struck.includes(vertex)) ? 'struck' : undefined);
   return (
     <table class="numbers plain-matrix">
       <caption>{caption}</caption>
@@ -32,11 +36,17 @@ export function PlainMatrix({ caption, values, size, vertices }: Props) {
               {i}
             </th>
             {vertices.map((j) => (
-              <td key={j}>{formatNumber(values[i * size + j])}</td>
+              <td key={j} class={isStruck(i, j)}>
+                {shown(values[i * size + j])}
+              </td>
             ))}
           </tr>
         ))}
       </tbody>
     </table>
   );
+}
+
+function shown(value: number): string {
+  return Number.isInteger(value) ? formatFixed(value, 0) : formatNumber(value);
 }

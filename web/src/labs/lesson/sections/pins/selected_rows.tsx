@@ -14,7 +14,7 @@ export function SelectedRows({ caption }: { caption: string }) {
   const figure = useFigure(patch);
   const seen = useInspection(figure);
   return (
-    <Figure figure={figure} pictures={['net']} wide caption={caption}>
+    <Figure figure={figure} pictures={['net']} caption={caption}>
       <div class="pins-room pins-room-tall">
         {seen && (
           <>

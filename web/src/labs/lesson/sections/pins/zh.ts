@@ -30,7 +30,7 @@ $$\sympinEnergy = \tfrac12 \symw \sum_{i\;\text{固定}} \lVert \symp_i - \sympT
 
 实验室默认采用消元，因为它更快。一旦你选定了 $\symw$，实验室就改用罚函数，让你看到它的作用。`,
     caption: '同一个三角形，没有 w：Q 剩下的部分和被划去的部分。',
-    left: '去掉固定点所在行和列之后的 Q',
+    left: 'Q，划去固定点所在的行和列',
   },
   every: {
     ask: raw`罚项是加到 $\symQ$ 的每个元素上，还是只加到某些行上？`,
@@ -53,8 +53,8 @@ $$\sympinEnergy = \tfrac12 \symw \sum_{i\;\text{固定}} \lVert \symp_i - \sympT
     hint: raw`$\sympTarget$ 出现在哪里？`,
     answer: raw`拖动改变的是目标位置，它只出现在右端，所以不必。再固定一个质点会改变 $\symC$，从而改变 $\symQ$，所以必须。在下面拖动试试：无论拖多久，$\symQ$ 的计数都不会变。`,
     caption: '拖动固定点（方块），比较两个计数。',
-    q: 'Q 的改变次数',
-    b: 'b 的改变次数',
+    q: raw`$\symQ$ 的改变次数`,
+    b: raw`$\symb$ 的改变次数`,
   },
   sources: {
     jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Pinned Vertices”一节。',

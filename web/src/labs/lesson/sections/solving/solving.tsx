@@ -32,7 +32,7 @@ export function Solving() {
   return (
     <>
       <Prose text={words.action} />
-      <Figure figure={figure} pictures={['net']} sliders={['k']} wide caption={words.substitution.caption}>
+      <Figure figure={figure} pictures={['net']} sliders={['k']} caption={words.substitution.caption}>
         <SubstitutionFigure figure={figure} />
       </Figure>
       <Prose text={words.precompute} />

@@ -18,11 +18,13 @@ export function EnoughRounds({ words }: { words: typeof en.enough }) {
   const last = useTrajectories(patches, steps)?.flatMap((frames) => frames.slice(-1)) ?? [];
   const points = last.map(({ stiffnessNumber, iterations }) => [stiffnessNumber, iterations] as const);
   return (
-    <LineChart
-      series={[{ name: words.series, points, dots: true }]}
-      x={{ label: <Phrase text={words.kappa} /> }}
-      y={{ label: <Phrase text={words.rounds} /> }}
-      summary={words.summary}
-    />
+    <div class="figure">
+      <LineChart
+        series={[{ name: words.series, points, dots: true }]}
+        x={{ label: <Phrase text={words.kappa} /> }}
+        y={{ label: <Phrase text={words.rounds} /> }}
+        summary={words.summary}
+      />
+    </div>
   );
 }

@@ -22,11 +22,13 @@ export function PeanutButter({ words }: { words: typeof en.peanut }) {
     points: (trajectories?.[at] ?? []).map(({ step, p }) => [step * delta_t, p[3 * lowestVertex + 1]] as const),
   }));
   return (
-    <LineChart
-      series={series}
-      x={{ label: <Phrase text={words.time} />, range: [0, steps * delta_t] }}
-      y={{ label: <Phrase text={words.height} /> }}
-      summary={words.summary}
-    />
+    <div class="figure">
+      <LineChart
+        series={series}
+        x={{ label: <Phrase text={words.time} />, range: [0, steps * delta_t] }}
+        y={{ label: <Phrase text={words.height} /> }}
+        summary={words.summary}
+      />
+    </div>
   );
 }
