@@ -20,7 +20,7 @@ export const zh: Catalogue<typeof en> = {
     shown: '等值线图显示',
     terms: { sum: '总和', springs: '弹簧项', inertia: '惯性项', external: '外力项' },
     values: '在当前的 p 处',
-    caption: raw`一根弹簧，一个可动的质点：此时 $\symobjective$ 可以画成平面上的一幅地图。细线是等值线，颜色越深，能量越低。十字：仅有惯性与重力时质点
+    caption: raw`一根弹簧，一个可动的质点：此时 $\symobjective$ 可以画成平面上的一幅地图。细线是等值线，线条越清晰，能量越低。十字：仅有惯性与重力时质点
 将到达的位置。圆点：本时间步的各次迭代；圆环是最后一次。按 ½▶ 逐步走向谷底。`,
     seen: raw`请逐项查看：弹簧项是环绕固定点、半径为原长的一圈谷地，惯性项是圆形的碗，外力项是斜坡。再改变 $\symdeltaT$：步长小时，惯性的碗极陡，
 其余各项几乎不起作用；步长大时，环形谷地占上风。在最后一次迭代处 $\lVert\symgradient\rVert$ 接近 0，牛顿定律在此处成立。

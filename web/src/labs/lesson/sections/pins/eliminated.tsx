@@ -1,13 +1,13 @@
-import { denseValues } from '../../figures/dense_values.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
+import { sumOf } from '../matrices/terms_of_q.ts';
 import { PlainMatrix } from './plain_matrix.tsx';
 
 const held: FigureSettings = { scene: 'triangle', selection: { spring: 0, vertex: 1 } };
 
-/** What is left of Q when the pinned vertices are no unknowns. */
+/** Q without a penalty, and what is left of it when the pinned vertices are no unknowns. */
 export function Eliminated({ words }: { words: Record<'caption' | 'left', string> }) {
   const figure = useFigure(held);
   const seen = useInspection(figure);
@@ -17,7 +17,7 @@ export function Eliminated({ words }: { words: Record<'caption' | 'left', string
         {seen && (
           <PlainMatrix
             caption={words.left}
-            values={denseValues(seen.Q)}
+            values={sumOf(['springs', 'masses'], seen, figure.parameters.value)}
             size={seen.Q.rows}
             vertices={Array.from(seen.m, (_, i) => i)}
             struck={Array.from(seen.frame.pinned)}
