@@ -25,7 +25,7 @@ const oneFree: FigureSettings = {
 
 const { raw } = String;
 
-const equationOfMotion = raw`\frac{\symm_i}{\symdeltaT^2}(\symp_i - 2\sympCurr_i + \sympPrev_i) + \frac{\partial\sympotential}{\partial\symp_i} - \symfExt_i = 0`;
+const equationOfMotion = raw`\begin{aligned} & \frac{\symm_i}{\symdeltaT^2}(\symp_i - 2\sympCurr_i + \sympPrev_i) \\ & \quad {} + \frac{\partial\sympotential}{\partial\symp_i} - \symfExt_i = 0 \end{aligned}`;
 
 const objective = raw`\begin{aligned}\symobjective = {} & \textstyle\sum_{ij} \tfrac{1}{2}\symk\,(\lVert \symp_i - \symp_j \rVert - \symr_{ij})^2 \\ & {} + \tfrac{1}{2\symdeltaT^2} \textstyle\sum_i \symm_i \lVert \symp_i - 2\sympCurr_i + \sympPrev_i \rVert^2 \\ & {} - \textstyle\sum_i \symp_i^{\mathrm T} \symfExt_i\end{aligned}`;
 

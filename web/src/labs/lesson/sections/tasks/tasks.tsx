@@ -55,7 +55,7 @@ const tasks: readonly Task[] = [
   {
     id: 'step',
     formulas: [
-      raw`\symy = \tfrac{1}{\symdeltaT^2}\symM(2\sympCurr - \sympPrev) + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget`,
+      raw`\begin{aligned} \symy = {} & \tfrac{1}{\symdeltaT^2}\symM(2\sympCurr - \sympPrev) \\ & + \symfExt + \symw\symC^{\mathrm T}\symC\,\sympTarget \end{aligned}`,
       raw`\symd_{ij} = \symr_{ij}\,\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}`,
       raw`\symQ\symp = \symb, \quad \symb = \symk\symA^{\mathrm T}\symd + \symy`,
     ],
