@@ -14,7 +14,7 @@ $$\sympotential = \sum_{ij} \tfrac12\,\symk\,\bigl(\lVert \symp_i - \symp_j \rVe
     text: raw`
 The springs pull where the energy falls fastest: the force is **minus** the gradient. Differentiating the length $\lVert \symp_i - \symp_j \rVert$ with respect to $\symp_i$ gives the unit vector from $j$ to $i$; so at the end $i$
 
-$$\begin{aligned} -\frac{\partial \sympotential}{\partial \symp_i} = {} & -\,\symk\,\underbrace{\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)}_{\text{too long by}} \\ & \cdot\,\underbrace{\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}}_{\text{direction}} \end{aligned}$$
+$$\begin{aligned} & -\frac{\partial \sympotential}{\partial \symp_i} \\ & \quad = -\,\symk\,\underbrace{\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)}_{\text{too long by}}\;\underbrace{\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}}_{\text{direction}} \end{aligned}$$
 
 and at $j$ the same with the other sign. Size: $\symk$ newtons for every metre. Direction: along the spring, towards the other end if it is too long, away from it if it is too short.`,
   },

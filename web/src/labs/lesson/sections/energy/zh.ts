@@ -17,7 +17,7 @@ $$\sympotential = \sum_{ij} \tfrac12\,\symk\,\bigl(\lVert \symp_i - \symp_j \rVe
     text: raw`
 弹簧总是朝能量下降最快的方向拉：力等于**负**梯度。长度 $\lVert \symp_i - \symp_j \rVert$ 对 $\symp_i$ 求导，得到由 $j$ 指向 $i$ 的单位向量，于是端点 $i$ 受到的力为
 
-$$\begin{aligned} -\frac{\partial \sympotential}{\partial \symp_i} = {} & -\,\symk\,\underbrace{\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)}_{\text{伸长量}} \\ & \cdot\,\underbrace{\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}}_{\text{方向}} \end{aligned}$$
+$$\begin{aligned} & -\frac{\partial \sympotential}{\partial \symp_i} \\ & \quad = -\,\symk\,\underbrace{\bigl(\lVert \symp_i - \symp_j \rVert - \symr_{ij}\bigr)}_{\text{伸长量}}\;\underbrace{\frac{\symp_i - \symp_j}{\lVert \symp_i - \symp_j \rVert}}_{\text{方向}} \end{aligned}$$
 
 端点 $j$ 受到的力大小相等、方向相反。力的大小：每伸长一米为 $\symk$ 牛顿。力的方向：沿着弹簧，过长时拉向另一端，过短时推离另一端。`,
   },
