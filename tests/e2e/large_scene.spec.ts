@@ -2,6 +2,7 @@ import { writeFile } from 'node:fs/promises';
 import type { Page, TestInfo } from '@playwright/test';
 import { writtenScene } from '../../scenes/rules/written_scene.ts';
 import { tetrahedralBlock } from '../support/tetrahedral_block.ts';
+import { mark, startTracing, stopTracing } from './support/main_thread.ts';
 import { expect, open, test } from './support/page.ts';
 
 const progress = (page: Page) => page.getByRole('progressbar');
@@ -27,46 +28,26 @@ test.beforeEach(async ({ page }) => {
   await open(page, './#/springs?scene="net"');
 });
 
-/** An event of the browser's trace: microseconds, by the clock and of the processor. */
-interface TraceEvent {
-  name: string;
-  pid: number;
-  tid: number;
-  ts: number;
-  tdur?: number;
-}
-
-/** ms of the processor that each task of the page's main thread took, from the first mark of its script to the last. */
-function tasksBetweenMarks(trace: Buffer): number[] {
-  const { traceEvents } = JSON.parse(String(trace)) as { traceEvents: TraceEvent[] };
-  const marks = traceEvents.filter(({ name }) => name === 'e2e-mark').map(({ ts }) => ts);
-  const page = traceEvents.find(({ name }) => name === 'e2e-mark');
-  return traceEvents
-    .filter(({ name, pid, tid }) => name === 'RunTask' && pid === page?.pid && tid === page.tid)
-    .filter(({ ts }) => ts > Math.min(...marks) && ts < Math.max(...marks))
-    .map(({ tdur = 0 }) => tdur / 1000);
-}
-
 test('27,000 vertices factorise while the page stays awake and tells how far they are', async ({
   page,
   browser,
 }, testInfo) => {
-  await browser.startTracing(page, { categories: ['disabled-by-default-devtools.timeline', 'blink.user_timing'] });
-  const percents = await page.evaluateHandle(() => {
+  await startTracing(browser, page);
+  const percents = await page.evaluateHandle((mark) => {
     const told: number[] = [];
     new MutationObserver(() => {
       const percent = Number.parseInt(document.querySelector('.progress-share')?.textContent ?? '', 10);
       if (percent === told.at(-1) || Number.isNaN(percent)) return;
       told.push(percent);
-      performance.mark('e2e-mark');
+      performance.mark(mark);
     }).observe(document.body, { subtree: true, childList: true, characterData: true });
-    performance.mark('e2e-mark');
+    performance.mark(mark);
     return told;
-  });
+  }, mark);
   await chooseBlock(page, testInfo, 30);
   await expect(page.getByText('27000 vertices, 178379 springs')).toBeVisible();
   // From the choice of the files to the last that was told: reading, ordering and factorising, but not the drawing that follows.
-  const tasks = tasksBetweenMarks(await browser.stopTracing());
+  const tasks = await stopTracing(browser);
   expect(tasks.length).toBeGreaterThan(10);
   expect(Math.max(...tasks)).toBeLessThan(50);
   const told = await percents.jsonValue();

@@ -160,6 +160,7 @@ test('nothing moves while the figures load', async ({ page }) => {
   });
   for (const id of sectionIds) {
     await open(page, lesson(id));
+    await expect(page.locator('.sources')).toBeVisible(); // what comes last
     for (const figure of await page.locator('.figure').all()) {
       await figure.scrollIntoViewIfNeeded();
       await expect(figure).toHaveAttribute('data-ready', 'true');

@@ -6,9 +6,7 @@ export function useWidth(element: RefObject<HTMLElement | null>): number {
   const [width, setWidth] = useState(0);
   useLayoutEffect(() => {
     const measured = element.current as HTMLElement;
-    const measure = () => setWidth(measured.clientWidth);
-    measure();
-    const observer = new ResizeObserver(measure);
+    const observer = new ResizeObserver(() => setWidth(measured.clientWidth)); // before the first picture, too
     observer.observe(measured);
     return () => observer.disconnect();
   }, [element]);

@@ -1,5 +1,6 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { Prose } from '../../../../views/equations/prose.tsx';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { ClosestVector } from './closest_vector.tsx';
@@ -12,7 +13,7 @@ import './energy.css';
 export function Energy() {
   const words = inLanguage({ en, zh });
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <h3>{words.force.title}</h3>
       <Prose text={words.force.text} />
@@ -27,6 +28,6 @@ export function Energy() {
         <ForceCheck words={words.sign} />
       </Question>
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

@@ -2,6 +2,7 @@ import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { Prose } from '../../../../views/equations/prose.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { BothSides } from './both_sides.tsx';
@@ -19,7 +20,7 @@ export function Matrices() {
   const figure = useFigure(hanging);
   const seen = useInspection(figure);
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <SpringsProduct figure={figure} seen={seen} caption={words.product.caption} />
       <h3>{words.trace.title}</h3>
@@ -40,6 +41,6 @@ export function Matrices() {
       </Question>
       <Question {...words.columns} />
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

@@ -7,6 +7,7 @@ import { MatrixTable } from '../../../../views/matrices/matrix_table.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSession, FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
@@ -22,7 +23,7 @@ export function Model() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(hanging);
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <Figure figure={figure} pictures={['net']} sliders={['k', 'mass_scale']} caption={words.caption}>
         <Chosen figure={figure} words={words} />
@@ -50,7 +51,7 @@ export function Model() {
         <Falling caption={words.least.caption} />
       </Question>
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }
 

@@ -3,6 +3,7 @@ import { Display } from '../../../../views/equations/display.tsx';
 import { Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
@@ -33,7 +34,7 @@ export function Optimisation() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(oneFree);
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <Display tex={equationOfMotion} />
       <Prose text={words.terms.gradient} />
@@ -55,6 +56,6 @@ export function Optimisation() {
       <Prose text={words.slips.intro} />
       <Slips figure={figure} />
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

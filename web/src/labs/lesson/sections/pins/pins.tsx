@@ -3,6 +3,7 @@ import { Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import type { AtPoint } from '../../gradient_check.tsx';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Slip } from '../../slip.tsx';
 import { Sources } from '../../sources.tsx';
@@ -26,7 +27,7 @@ export function Pins() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(penalised);
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <h3>{words.weak.title}</h3>
       <Prose text={words.weak.text} />
@@ -49,6 +50,6 @@ export function Pins() {
         printedEnergy={(at: AtPoint) => printedPinEnergy(at, figure.scene.value.V)}
       />
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

@@ -3,6 +3,7 @@ import { Prose } from '../../../../views/equations/prose.tsx';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
@@ -30,7 +31,7 @@ export function Solving() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(byHand);
   return (
-    <>
+    <InSlices>
       <Prose text={words.action} />
       <Figure figure={figure} pictures={['net']} sliders={['k']} caption={words.substitution.caption}>
         <SubstitutionFigure figure={figure} />
@@ -47,6 +48,6 @@ export function Solving() {
         <InverseExperiment />
       </Question>
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

@@ -7,6 +7,7 @@ import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { smallMatrix } from '../solving/small_matrix.ts';
@@ -38,7 +39,7 @@ const assembling: FigureSettings = {
 export function Sparse() {
   const words = inLanguage({ en, zh });
   return (
-    <>
+    <InSlices>
       <Prose text={words.which} />
       <EntryCounts />
       <Prose text={words.list} />
@@ -54,7 +55,7 @@ export function Sparse() {
       <Prose text={words.fillIn} />
       <FillFigure />
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }
 

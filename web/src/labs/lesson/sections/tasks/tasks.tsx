@@ -8,6 +8,7 @@ import { moves } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
@@ -81,7 +82,7 @@ export function Tasks() {
   const figure = useFigure(halfSteps);
   const { damped: tooFew, ...others } = words.mistakes;
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <Figure figure={figure} pictures={['torn', 'net']} arrows={moves} caption={words.caption} />
       {tasks.map(({ id, formulas, files }, at) => (
@@ -103,7 +104,7 @@ export function Tasks() {
         <Question key={id} {...mistake} />
       ))}
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }
 

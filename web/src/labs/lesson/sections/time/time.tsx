@@ -7,6 +7,7 @@ import type { Arrows } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { DifferenceTable } from './difference_table.tsx';
@@ -36,7 +37,7 @@ export function Time() {
     return { from: straightOn(p_curr, p_prev), to: p, symbol: 'a' };
   };
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <h3>{words.differences.title}</h3>
       <Prose text={words.differences.velocity} />
@@ -57,6 +58,6 @@ export function Time() {
         <FourSteps />
       </Question>
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }

@@ -6,6 +6,7 @@ import { moves } from '../../figures/arrows.ts';
 import { Figure } from '../../figures/figure.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
+import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
@@ -27,7 +28,7 @@ export function Trick() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(tornAndStitched);
   return (
-    <>
+    <InSlices>
       <Prose text={words.intro} />
       <h3>{words.halves.title}</h3>
       <Prose text={words.halves.text} />
@@ -56,6 +57,6 @@ export function Trick() {
         <EnoughRounds words={words.enough} />
       </Question>
       <Sources items={words.sources} />
-    </>
+    </InSlices>
   );
 }
