@@ -16,17 +16,19 @@ const ranges = {
 
 export type SliderName = keyof typeof ranges;
 
-/** Positions of a slider; all span decades, so that they are equal factors. */
+/** Positions of a slider that spans decades, so that they are equal factors. A count has its own values for positions: no key press may be lost. */
 const ticks = 200;
 
 /** One parameter of a figure. */
 export function FigureSlider({ figure, name }: { figure: FigureSession; name: SliderName }) {
   const { min, max, unit, symbol } = ranges[name];
   const value = figure.parameters.value[name];
-  const tick = Math.round((ticks * Math.log(value / min)) / Math.log(max / min));
+  const counts = name === 'iterations';
+  const [first, last] = counts ? [min, max] : [0, ticks];
+  const tick = counts ? value : Math.round((ticks * Math.log(value / min)) / Math.log(max / min));
   const shown = `${formatNumber(value)} ${unit}`;
   const set = (next: number) =>
-    figure.setParameter(name, name === 'iterations' ? Math.round(next) : Number(next.toPrecision(3)));
+    figure.setParameter(name, counts ? next : Number((min * (max / min) ** (next / ticks)).toPrecision(3)));
   return (
     <label class="figure-slider">
       <span>
@@ -34,14 +36,14 @@ export function FigureSlider({ figure, name }: { figure: FigureSession; name: Sl
       </span>
       <input
         type="range"
-        min={0}
-        max={ticks}
+        min={first}
+        max={last}
         value={tick}
-        style={{ '--filled': `${(100 * tick) / ticks}%` }}
+        style={{ '--filled': `${(100 * (tick - first)) / (last - first)}%` }}
         aria-valuetext={shown}
-        onInput={(event) => set(min * (max / min) ** (event.currentTarget.valueAsNumber / ticks))}
+        onInput={(event) => set(event.currentTarget.valueAsNumber)}
       />
-      <output>{name === 'iterations' ? value : shown}</output>
+      <output>{counts ? value : shown}</output>
     </label>
   );
 }
