@@ -1,7 +1,9 @@
 import { SolverCrash } from '../solver/client.ts';
+import type { Status } from '../solver/module.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
 import { Obstacle } from './obstacle.ts';
+import { refusalParams } from './refusal_params.ts';
 import { SceneProblem } from './scene_problem.ts';
 
 /** A sentence of the catalogues. */
@@ -17,8 +19,19 @@ export function explanationOf(reason: unknown): Explanation {
   throw reason;
 }
 
-/** The same in a notice, for what has no place of its own to say it. */
+/** Why the solver refused a request. */
+export function explanationOfRefusal(status: Status): Explanation {
+  return { key: `page.errors.${status.code}` as MessageKey, params: refusalParams(status) };
+}
+
+/** Why a scene or the solver cannot be had, in a notice, for what has no place of its own to say it. */
 export function notifyOf(reason: unknown): void {
   const { key, params } = explanationOf(reason);
+  notify('error', key, params);
+}
+
+/** Why the solver refused a request, in a notice. */
+export function notifyRefusal(status: Status): void {
+  const { key, params } = explanationOfRefusal(status);
   notify('error', key, params);
 }

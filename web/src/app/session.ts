@@ -6,11 +6,10 @@ import type { Method, Status } from '../solver/module.ts';
 import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
+import { notifyRefusal } from './explanation.ts';
 import { answered, askMatrices, linearSystem, type MatrixQuestion, missingMatrices } from './matrices.ts';
 import { iterationTime, playedStep } from './measurements.ts';
-import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
-import { refusalParams } from './refusal_params.ts';
 import {
   type AppState,
   dragging,
@@ -291,6 +290,6 @@ export class Session {
   }
 
   private explain(status: Status): void {
-    notify('error', `page.errors.${status.code}` as MessageKey, refusalParams(status));
+    notifyRefusal(status);
   }
 }

@@ -6,11 +6,8 @@ import type { MechanicalEnergy, Parameters } from '../solver/module.ts';
 import type { Checkpoint, Outcome, Pins } from '../solver/protocol.ts';
 import type { OpenedSideBySide, SideBySideService, Variant, VariantState } from '../solver/side_by_side.ts';
 import { Clock } from './clock.ts';
-import { notifyOf } from './explanation.ts';
-import type { MessageKey } from './messages/index.ts';
-import { notify } from './notices.ts';
+import { notifyOf, notifyRefusal } from './explanation.ts';
 import { Obstacle } from './obstacle.ts';
-import { refusalParams } from './refusal_params.ts';
 import { fetchSolver } from './start_solver.ts';
 
 /** What all variants have in common. */
@@ -98,7 +95,7 @@ export class SideBySide {
     if (outcome === null) return false;
     if (!outcome.ok) {
       const { status } = outcome;
-      notify('error', `page.errors.${status.code}` as MessageKey, refusalParams(status));
+      notifyRefusal(status);
       return false;
     }
     this.start = { ...start, variants };

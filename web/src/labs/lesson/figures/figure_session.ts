@@ -1,9 +1,7 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { Clock } from '../../../app/clock.ts';
-import { type Explanation, explanationOf } from '../../../app/explanation.ts';
+import { type Explanation, explanationOf, explanationOfRefusal } from '../../../app/explanation.ts';
 import type { Figure } from '../../../app/figure.ts';
-import type { MessageKey } from '../../../app/messages/index.ts';
-import { refusalParams } from '../../../app/refusal_params.ts';
 import { findScene } from '../../../app/scene_library.ts';
 import { type Adjustable, type AppState, type Pin, parametersOn, pinsOn, type Selection } from '../../../app/state.ts';
 import { noScene, type Scene } from '../../../scene/scene.ts';
@@ -255,7 +253,7 @@ export class FigureSession implements Figure {
   private take(scene: Scene, outcome: Outcome<Opened>, last_half_step = 0): void {
     if (!outcome.ok) {
       const { status } = outcome;
-      this.refuse({ key: `page.errors.${status.code}` as MessageKey, params: refusalParams(status) });
+      this.refuse(explanationOfRefusal(status));
       this.fallBack();
       return;
     }
