@@ -1,8 +1,8 @@
 import { compareMethod } from './compare_method.ts';
 import { compareStorage } from './compare_storage.ts';
 import { readElimination, readEliminationStep } from './eliminations.ts';
-import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
 import type { Frame } from './frame.ts';
+import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
 import { measureIteration } from './measure_iteration.ts';
 import type { Ordering, Simulation, SolverModule, Status } from './module.ts';
 import type {
