@@ -2,8 +2,8 @@ import type { Figure } from '../../app/figure.ts';
 import { type Head, headsOf, isLit, thingsOf } from '../../app/heads.ts';
 import { litThings } from '../../app/highlight.ts';
 import { t } from '../../app/messages/index.ts';
+import { entryFormat } from '../../lib/entry_format.ts';
 import { type SymbolId, symbol } from '../../notation/symbols.ts';
-import { entryFormat } from './entry_format.ts';
 import { type Matrix, MatrixTable } from './matrix_table.tsx';
 
 interface Props {

@@ -1,7 +1,7 @@
 import { type Plane, Vector3 } from 'three';
+import { Gestures } from '../../lib/gestures.ts';
 import type { Rectangle } from '../../lib/rectangle.ts';
 import { boundsNear } from './bounds_near.ts';
-import { Gestures } from './gestures.ts';
 import type { OrbitCamera } from './orbit_camera.ts';
 import { nearestPoint, nearestSegment, tolerancesFor } from './picking.ts';
 import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';

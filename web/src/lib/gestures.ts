@@ -1,4 +1,4 @@
-/** What pointers on the canvas mean. Places are CSS pixels of the canvas, movements CSS pixels. */
+/** What pointers on an element mean. Places are CSS pixels of the element, movements CSS pixels. */
 export interface GestureHandlers {
   /** A press: true when it takes hold of something that can be dragged. */
   grab(x: number, y: number, pointerType: string): boolean;
@@ -8,7 +8,8 @@ export interface GestureHandlers {
   tap(x: number, y: number, pointerType: string, shift: boolean): void;
   orbit(dx: number, dy: number): void;
   pan(dx: number, dy: number): void;
-  zoom(factor: number): void;
+  /** Nearer by a factor over 1, about a place. */
+  zoom(factor: number, x: number, y: number): void;
   /** A pointer without a button pressed; null when it has left. */
   hover(place: { x: number; y: number } | null): void;
 }
@@ -26,7 +27,7 @@ const mostWheelPixels = 20;
 const pixelsPerWheelLine = 16;
 
 /**
- * One finger on something draggable drags it, one elsewhere orbits, two move and zoom; a second finger lets go of what the first held.
+ * One finger on something draggable drags it, one elsewhere orbits (or does what its handler makes of that), two move and zoom; a second finger lets go of what the first held.
  * With a mouse the right button (or ctrl) pans, and the wheel with ctrl zooms, as pinching a touchpad does; the wheel alone scrolls the page.
  */
 export class Gestures {
@@ -93,7 +94,8 @@ export class Gestures {
       this.handlers.drag(now.x, now.y);
     } else if (other) {
       this.handlers.pan(dx / 2, dy / 2);
-      this.handlers.zoom(distance(now, other) / Math.max(1, distance(before, other)));
+      const factor = distance(now, other) / Math.max(1, distance(before, other));
+      this.handlers.zoom(factor, (now.x + other.x) / 2, (now.y + other.y) / 2);
     } else if (event.buttons === 2 || event.ctrlKey) {
       this.handlers.pan(dx, dy);
     } else {
@@ -117,7 +119,12 @@ export class Gestures {
     if (!event.ctrlKey && !event.metaKey) return;
     event.preventDefault(); // or the browser would enlarge the page
     const pixels = event.deltaY * (event.deltaMode === event.DOM_DELTA_LINE ? pixelsPerWheelLine : 1);
-    this.handlers.zoom(Math.exp(-zoomPerWheelPixel * Math.max(-mostWheelPixels, Math.min(mostWheelPixels, pixels))));
+    const { x, y } = this.place(event);
+    this.handlers.zoom(
+      Math.exp(-zoomPerWheelPixel * Math.max(-mostWheelPixels, Math.min(mostWheelPixels, pixels))),
+      x,
+      y,
+    );
   }
 }
 

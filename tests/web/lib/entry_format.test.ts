@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { entryFormat } from '../../../../web/src/views/matrices/entry_format.ts';
+import { entryFormat } from '../../../web/src/lib/entry_format.ts';
 
 function written(values: number[], unit: string | null) {
   const format = entryFormat(values, unit);

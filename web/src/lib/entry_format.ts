@@ -1,4 +1,4 @@
-import { columnScale, formatFixed, formatInColumn, formatNumber } from '../../lib/format.ts';
+import { columnScale, formatFixed, formatInColumn, formatNumber } from './format.ts';
 
 /** Entries whose sizes differ by more than this factor cannot share a scale: the small ones would all read 0. */
 const widest = 1e4;
@@ -9,10 +9,11 @@ export function entryFormat(
   unit: string | null,
 ): { unit: string | null; write(value: number): string } {
   const sizes = Array.from(values, Math.abs).filter((size) => size > 0);
-  const largest = Math.max(0, ...sizes);
+  const largest = sizes.reduce((most, size) => Math.max(most, size), 0);
+  const smallest = sizes.reduce((least, size) => Math.min(least, size), Number.POSITIVE_INFINITY);
   const writeEach = (write: (value: number) => string) => (value: number) => (value === 0 ? '0' : write(value));
   if (largest < widest && sizes.every(Number.isInteger)) return { unit, write: (value) => formatFixed(value, 0) };
-  if (largest > widest * Math.min(...sizes)) return { unit, write: writeEach(formatNumber) };
+  if (largest > widest * smallest) return { unit, write: writeEach(formatNumber) };
   const scale = columnScale(largest, unit ?? '', 3);
   return { unit: scale.unit || null, write: writeEach((value) => formatInColumn(value, scale)) };
 }

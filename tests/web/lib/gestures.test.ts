@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { type GestureHandlers, Gestures } from '../../../../web/src/views/scene3d/gestures.ts';
-import { FakeCanvas } from './fake_canvas.ts';
+import { type GestureHandlers, Gestures } from '../../../web/src/lib/gestures.ts';
+import { FakeCanvas } from '../views/scene3d/fake_canvas.ts';
 
 let canvas: FakeCanvas;
 let gestures: Gestures;
@@ -107,7 +107,7 @@ describe('two fingers', () => {
     canvas.send('pointerdown', 100, 100, touch(1));
     canvas.send('pointerdown', 200, 100, touch(2));
     canvas.send('pointermove', 250, 100, touch(2));
-    expect(handlers.zoom).toHaveBeenCalledExactlyOnceWith(1.5);
+    expect(handlers.zoom).toHaveBeenCalledExactlyOnceWith(1.5, 175, 100); // about the point midway
     expect(handlers.pan).toHaveBeenCalledExactlyOnceWith(25, 0);
   });
 
