@@ -11,11 +11,6 @@ export const en = {
     hint: 'A hint',
     answer: 'The answer',
   },
-  stepper: {
-    first: 'To the beginning',
-    back: 'One step back',
-    forward: 'One step on',
-  },
   timingFailed: 'Nothing could be timed. {{reason}}',
   slip: {
     label: 'A slip in print',

@@ -14,11 +14,6 @@ export const zh: Catalogue<typeof en> = {
     hint: '提示',
     answer: '答案',
   },
-  stepper: {
-    first: '回到开头',
-    back: '后退一步',
-    forward: '前进一步',
-  },
   timingFailed: '无法计时。{{reason}}',
   slip: {
     label: '印刷有误',

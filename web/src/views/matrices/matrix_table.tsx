@@ -5,6 +5,7 @@ import { t } from '../../app/messages/index.ts';
 import { cardId } from '../../app/pointing.ts';
 import { type Cell, moveInGrid } from '../../lib/move_in_grid.ts';
 import { entryFormat } from '../../lib/entry_format.ts';
+import { type Cell, moveInGrid } from '../../lib/move_in_grid.ts';
 import { type SymbolId, symbol } from '../../notation/symbols.ts';
 import { type MatrixCell, matrixCells } from './matrix_cells.ts';
 import './matrices.css';

@@ -1,10 +1,10 @@
 import { useContext } from 'preact/hooks';
 import { t } from '../../../app/messages/index.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
+import { StepButton } from '../../../views/stepper/step_button.tsx';
 import { LessonActions } from '../lesson_actions.ts';
 import { lessonWords } from '../lesson_words.ts';
 import type { FigureSession } from './figure_session.ts';
-import { TransportButton } from './transport_button.tsx';
 
 /** The clock's buttons, where it stands, and the way to the lab. */
 export function FigureTransport({ figure }: { figure: FigureSession }) {
@@ -18,28 +18,28 @@ export function FigureTransport({ figure }: { figure: FigureSession }) {
   const atBeginning = !frame || (frame.half_step === 0 && frame.rememberedSteps === 0);
   return (
     <fieldset class="figure-transport" aria-label={t('page.transport.label')}>
-      <TransportButton icon="reset" label={t('page.transport.reset')} onClick={() => figure.reset()} />
-      <TransportButton
+      <StepButton icon="reset" label={t('page.transport.reset')} onClick={() => figure.reset()} />
+      <StepButton
         icon="previousHalfStep"
         half
         label={t('page.transport.previousHalfStep')}
         off={atBeginning}
         onClick={() => figure.order({ kind: 'previous_half_step' })}
       />
-      <TransportButton
+      <StepButton
         icon={playing ? 'pause' : 'play'}
         label={t(playing ? 'page.transport.pause' : 'page.transport.play')}
         onClick={() => {
           figure.playing.value = !playing;
         }}
       />
-      <TransportButton
+      <StepButton
         icon="nextHalfStep"
         half
         label={t('page.transport.nextHalfStep')}
         onClick={() => figure.order({ kind: 'next_half_step' })}
       />
-      <TransportButton
+      <StepButton
         icon="nextStep"
         label={t('page.transport.nextStep')}
         onClick={() => figure.order({ kind: 'next_step' })}

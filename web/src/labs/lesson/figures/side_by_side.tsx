@@ -2,9 +2,9 @@ import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { t } from '../../../app/messages/index.ts';
 import { holds } from '../../../app/pointing.ts';
+import { StepButton } from '../../../views/stepper/step_button.tsx';
 import type { FigureSession } from './figure_session.ts';
 import { SpringPicture } from './spring_picture.tsx';
-import { TransportButton } from './transport_button.tsx';
 import { useAwake } from './use_awake.ts';
 import './figure.css';
 import './side_by_side.css';
@@ -38,8 +38,8 @@ export function SideBySide({ figures, names, readings, running, onToggle, onRese
         ))}
       </div>
       <fieldset class="figure-transport" aria-label={t('page.transport.label')}>
-        <TransportButton icon="reset" label={t('page.transport.reset')} onClick={onReset} />
-        <TransportButton
+        <StepButton icon="reset" label={t('page.transport.reset')} onClick={onReset} />
+        <StepButton
           icon={running ? 'pause' : 'play'}
           label={t(running ? 'page.transport.pause' : 'page.transport.play')}
           onClick={onToggle}

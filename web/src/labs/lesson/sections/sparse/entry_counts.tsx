@@ -1,9 +1,9 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { t } from '../../../../app/messages/index.ts';
 import { formatQuantity } from '../../../../lib/format.ts';
+import { grouped } from '../../../../lib/grouped.ts';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
 import { en } from './en.ts';
-import { grouped } from './grouped.ts';
 import { zh } from './zh.ts';
 
 const scenes = ['square', 'net', 'flag'] as const;

@@ -1,9 +1,9 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
+import { grouped } from '../../../../lib/grouped.ts';
 import { useSceneInspection } from '../../figures/use_scene_inspection.ts';
 import { movesByInsertion, tripletsOfQ } from './assembly.ts';
 import { en } from './en.ts';
-import { grouped } from './grouped.ts';
 import { zh } from './zh.ts';
 
 /** What it takes to build the flag's Q entry by entry. */

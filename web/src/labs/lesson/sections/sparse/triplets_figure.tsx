@@ -1,8 +1,8 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
 import { formatNumber } from '../../../../lib/format.ts';
+import { Stepper } from '../../../../views/stepper/stepper.tsx';
 import type { FigureSession } from '../../figures/figure_session.ts';
-import { Stepper } from '../../figures/stepper.tsx';
 import { assembled, type Repetition, type Triplet } from './assembly.ts';
 import { en } from './en.ts';
 import { zh } from './zh.ts';

@@ -1,4 +1,4 @@
-import { Icon, type IconName } from '../../../lib/icon.tsx';
+import { Icon, type IconName } from '../../lib/icon.tsx';
 
 interface Props {
   icon: IconName;
@@ -8,7 +8,7 @@ interface Props {
   onClick: () => void;
 }
 
-export function TransportButton({ icon, label, half = false, off = false, onClick }: Props) {
+export function StepButton({ icon, label, half = false, off = false, onClick }: Props) {
   return (
     <button type="button" aria-label={label} title={label} aria-disabled={off} onClick={off ? undefined : onClick}>
       <Icon name={icon} />

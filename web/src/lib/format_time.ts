@@ -1,4 +1,4 @@
-import { formatQuantity } from '../../../lib/format.ts';
+import { formatQuantity } from './format.ts';
 
 /** In the unit that suits: "12.5 µs", "3.10 ms", "1.20 s". */
 export function formatTime(milliseconds: number, digits = 3): string {

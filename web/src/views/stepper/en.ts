@@ -1,0 +1,5 @@
+export const en = {
+  first: 'To the beginning',
+  back: 'One step back',
+  forward: 'One step on',
+};
