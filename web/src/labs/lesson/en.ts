@@ -11,6 +11,7 @@ export const en = {
     hint: 'A hint',
     answer: 'The answer',
   },
+  rooms: { matrices: 'The matrix room: the same for the scene that is open in the lab' },
   timingFailed: 'Nothing could be timed. {{reason}}',
   slip: {
     label: 'A slip in print',

@@ -14,6 +14,7 @@ export const zh: Catalogue<typeof en> = {
     hint: '提示',
     answer: '答案',
   },
+  rooms: { matrices: '矩阵室：对实验室中打开的场景看同样的内容' },
   timingFailed: '无法计时。{{reason}}',
   slip: {
     label: '印刷有误',

@@ -27,7 +27,7 @@ export function HalfSteps({ actions }: { actions: Actions }) {
   return (
     <main class="springs-lab" ref={holds(labFigure)}>
       <div class="stage" data-phase={playing.value ? 'playing' : f.phase}>
-        <Stage actions={actions} />
+        <Stage actions={actions} label={t('page.stage.label')} />
         <section class="half half-local" aria-label={t('page.local.name')}>
           <Caption name="page.local.name" tagline="page.local.tagline" />
           <div class="inspector">

@@ -4,7 +4,6 @@ import type { Actions } from '../../app/actions.ts';
 import { HalfStepAnimation } from '../../app/half_step_animation.ts';
 import { areAllLit, highlighted, litThings, nothing } from '../../app/highlight.ts';
 import { drawingTime } from '../../app/measurements.ts';
-import { t } from '../../app/messages/index.ts';
 import { notify } from '../../app/notices.ts';
 import { pointAtDrawn, pointAway, pointed } from '../../app/pointing.ts';
 import { appliedTheme } from '../../app/preferences.ts';
@@ -12,11 +11,17 @@ import { dragging, labFigure, liveFrame, playing, r, scene, state } from '../../
 import { followLayout } from '../../views/scene3d/follow_layout.ts';
 import { darkPalette, lightPalette } from '../../views/scene3d/palette.ts';
 import { Scene3D } from '../../views/scene3d/scene3d.ts';
-import type { Hit, Scene3DCallbacks } from '../../views/scene3d/types.ts';
+import type { Hit, Scene3DCallbacks, ViewName } from '../../views/scene3d/types.ts';
 import { canvasOrigin, legend, pictures, scene3D } from './stage_signals.ts';
 
-/** The canvas under both views, and the wiring between it and the state. The views are the elements with data-view inside `children`' parent. */
-export function Stage({ actions }: { actions: Actions }) {
+interface Props {
+  actions: Actions;
+  /** What is to be seen on it. */
+  label: string;
+}
+
+/** The canvas under the views, and the wiring between it and the state. The views, one or both, are the elements with data-view beside it. */
+export function Stage({ actions, label }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
 
   useEffect(() => {
@@ -37,10 +42,16 @@ export function Stage({ actions }: { actions: Actions }) {
       },
     });
     scene3D.value = view;
-    const stopFollowing = followLayout(element, viewsOf(element), (origin, [local, global]) => {
-      canvasOrigin.value = origin;
-      view.setViewports(local, global);
-    });
+    const views = viewsOf(element);
+    const stopFollowing = followLayout(
+      element,
+      views.map((shown) => shown.element),
+      (origin, rectangles) => {
+        canvasOrigin.value = origin;
+        const placeOf = (name: ViewName) => rectangles[views.findIndex((shown) => shown.name === name)] ?? null;
+        view.setViewports(placeOf('local'), placeOf('global'));
+      },
+    );
     return () => {
       stopFollowing();
       cancelAnimationFrame(drawing);
@@ -100,7 +111,7 @@ export function Stage({ actions }: { actions: Actions }) {
     };
   }, []);
 
-  return <canvas ref={canvas} class="stage-canvas" aria-label={t('page.stage.label')} role="img" />;
+  return <canvas ref={canvas} class="stage-canvas" aria-label={label} role="img" />;
 }
 
 /** While things move, a card would stay beside a place that its thing has left. */
@@ -157,7 +168,11 @@ function positionOf(vertex: number): [number, number, number] {
   return [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
 }
 
-function viewsOf(canvas: HTMLCanvasElement): readonly Element[] {
+/** Those of the two views that are beside the canvas. */
+function viewsOf(canvas: HTMLCanvasElement): { name: ViewName; element: Element }[] {
   const stage = canvas.parentElement as HTMLElement;
-  return (['local', 'global'] as const).map((name) => stage.querySelector(`[data-view="${name}"]`) as HTMLElement);
+  return (['local', 'global'] as const).flatMap((name) => {
+    const element = stage.querySelector(`[data-view="${name}"]`);
+    return element ? [{ name, element }] : [];
+  });
 }

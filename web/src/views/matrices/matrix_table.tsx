@@ -3,7 +3,6 @@ import { useRef, useState } from 'preact/hooks';
 import type { Figure } from '../../app/figure.ts';
 import { t } from '../../app/messages/index.ts';
 import { cardId } from '../../app/pointing.ts';
-import { type Cell, moveInGrid } from '../../lib/move_in_grid.ts';
 import { entryFormat } from '../../lib/entry_format.ts';
 import { type Cell, moveInGrid } from '../../lib/move_in_grid.ts';
 import { type SymbolId, symbol } from '../../notation/symbols.ts';

@@ -24,7 +24,7 @@ export function drawCells(c: CanvasRenderingContext2D, { pattern, view, ink, wri
     for (let column = columns.from; column <= columns.to; column++)
       c.fillRect(x(column) - 0.5, y(rows.from), 1, y(rows.to) - y(rows.from));
   }
-  const size = Math.min(type.largest, Math.max(type.smallest, type.share * scale));
+  const size = Math.min(type.largest * ink.typeScale, Math.max(type.smallest, type.share * scale));
   c.font = fontOf(size);
   c.textAlign = 'center';
   c.textBaseline = 'middle';

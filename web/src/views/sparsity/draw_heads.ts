@@ -8,7 +8,7 @@ const strides = steps125(1, 1e6);
 
 /** The numbers of rows and columns along the edges, left of and above the origin: every one where there is room, else every second, fifth, tenth, … */
 export function drawHeads(c: CanvasRenderingContext2D, { pattern, view, ink, head }: Sparsity, area: Area): void {
-  c.font = fontOf(12);
+  c.font = fontOf(12 * ink.typeScale);
   c.fillStyle = ink.muted;
   c.textBaseline = 'middle';
   const heads = (

@@ -5,14 +5,15 @@ import type { Figure } from '../../app/figure.ts';
 import { highlighted, litThings, nothing } from '../../app/highlight.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { appliedTheme } from '../../app/preferences.ts';
-import type { Selection } from '../../app/state.ts';
+import { type Selection, state } from '../../app/state.ts';
 import { Icon } from '../../lib/icon.tsx';
 import type { SymbolId } from '../../notation/symbols.ts';
 import { en } from './en.ts';
+import { inkOf } from './ink_of.ts';
 import { moveInPattern } from './move_in_pattern.ts';
 import type { Pattern, Place } from './pattern.ts';
 import { SparsityControl, zoomStride } from './sparsity_control.ts';
-import type { Ink, Marks } from './types.ts';
+import type { Marks } from './types.ts';
 import './sparsity.css';
 import { zh } from './zh.ts';
 
@@ -84,7 +85,7 @@ export function SparsityView({ figure, model, label, onSelect, children }: Props
   shown.value = model;
   useSignalEffect(() => {
     const { pattern, kinds, write, head, marksOf } = shown.value;
-    void appliedTheme.value;
+    void [appliedTheme.value, state.value.view.projector];
     const lit = litThings(figure);
     const marked = lit.spring === null && lit.vertex === null ? figure.selection.value : lit;
     control.current?.show({
@@ -181,17 +182,4 @@ function reachable(application: HTMLElement | null): void {
 
 function inMatrix({ row, column }: Place, { rows, columns }: Pattern): Place {
   return { row: Math.min(row, Math.max(0, rows - 1)), column: Math.min(column, Math.max(0, columns - 1)) };
-}
-
-function inkOf(kinds: SparsityModel['kinds']): Ink {
-  const style = getComputedStyle(document.documentElement);
-  const colour = (name: string) => style.getPropertyValue(name).trim();
-  return {
-    background: colour('--background'),
-    text: colour('--text'),
-    muted: colour('--muted'),
-    line: colour('--line'),
-    accent: colour('--accent'),
-    kinds: kinds.map((names) => names.map(colour)),
-  };
 }

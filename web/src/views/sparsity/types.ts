@@ -8,13 +8,17 @@ export interface Marks {
   places: readonly Place[];
 }
 
-/** All "#rrggbb". */
+export const noMarks: Marks = { rows: [], columns: [], places: [] };
+
+/** Colours are all "#rrggbb". */
 export interface Ink {
   background: string;
   text: string;
   muted: string;
   line: string;
   accent: string;
+  /** CSS pixels of the page's text for each of its usual 16. */
+  typeScale: number;
   /** For each kind of entry: one colour, or several beside each other in its cell. The first is what is seen from afar. */
   kinds: readonly (readonly string[])[];
 }

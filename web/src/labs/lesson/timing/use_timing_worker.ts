@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { inTimingWorker, type TimingTask } from './in_timing_worker.ts';
+import { inTimingWorker, type TimingTask } from '../../../app/in_timing_worker.ts';
 
 /** A button's way to the timing worker: one task at a time, ended by `stop` or when the component goes. */
 export function useTimingWorker() {

@@ -4,6 +4,7 @@ import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
 import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
+import { RoomLink } from '../../room_link.tsx';
 import { Sources } from '../../sources.tsx';
 import { BothSides } from './both_sides.tsx';
 import { en } from './en.ts';
@@ -40,6 +41,7 @@ export function Matrices() {
         <Laplacian caption={words.laplacian.caption} />
       </Question>
       <Question {...words.columns} />
+      <RoomLink room="matrices" />
       <Sources items={words.sources} />
     </InSlices>
   );

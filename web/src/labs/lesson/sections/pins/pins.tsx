@@ -5,6 +5,7 @@ import { useFigure } from '../../figures/use_figure.ts';
 import type { AtPoint } from '../../gradient_check.tsx';
 import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
+import { RoomLink } from '../../room_link.tsx';
 import { Slip } from '../../slip.tsx';
 import { Sources } from '../../sources.tsx';
 import { ChangeCounters } from './change_counters.tsx';
@@ -49,6 +50,7 @@ export function Pins() {
         why={words.slip.why}
         printedEnergy={(at: AtPoint) => printedPinEnergy(at, figure.scene.value.V)}
       />
+      <RoomLink room="matrices" />
       <Sources items={words.sources} />
     </InSlices>
   );

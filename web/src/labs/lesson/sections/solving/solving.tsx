@@ -5,6 +5,7 @@ import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
+import { RoomLink } from '../../room_link.tsx';
 import { Sources } from '../../sources.tsx';
 import { en } from './en.ts';
 import { InverseExperiment } from './inverse_experiment.tsx';
@@ -47,6 +48,7 @@ export function Solving() {
       <Question {...words.whyNotInverse}>
         <InverseExperiment />
       </Question>
+      <RoomLink room="matrices" />
       <Sources items={words.sources} />
     </InSlices>
   );

@@ -9,6 +9,7 @@ import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
 import { InSlices } from '../../in_slices.tsx';
 import { Question } from '../../question.tsx';
+import { RoomLink } from '../../room_link.tsx';
 import { Sources } from '../../sources.tsx';
 import { smallMatrix } from '../solving/small_matrix.ts';
 import { assembled, type Repetition, tripletsOfQ, withZeros } from './assembly.ts';
@@ -54,6 +55,7 @@ export function Sparse() {
       <h3>{words.fillTitle}</h3>
       <Prose text={words.fillIn} />
       <FillFigure />
+      <RoomLink room="matrices" />
       <Sources items={words.sources} />
     </InSlices>
   );

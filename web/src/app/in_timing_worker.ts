@@ -1,6 +1,6 @@
 import { type Remote, wrap } from 'comlink';
-import { fetchSolver } from '../../../app/start_solver.ts';
-import type { TimingService } from '../../../solver/timing_worker.ts';
+import type { TimingService } from '../solver/timing_worker.ts';
+import { fetchSolver } from './start_solver.ts';
 
 /** What a caller does with the worker. */
 export type TimingTask<T> = (service: Remote<TimingService>) => Promise<T>;
@@ -9,7 +9,7 @@ export type TimingTask<T> = (service: Remote<TimingService>) => Promise<T>;
 export async function inTimingWorker<T>(stop: AbortSignal, task: TimingTask<T>): Promise<T | null> {
   const wasmBinary = await fetchSolver();
   if (stop.aborted) return null;
-  const worker = new Worker(new URL('../../../solver/timing_worker.ts', import.meta.url), { type: 'module' });
+  const worker = new Worker(new URL('../solver/timing_worker.ts', import.meta.url), { type: 'module' });
   const stopped = new Promise<null>((resolve) => stop.addEventListener('abort', () => resolve(null)));
   const failed = new Promise<never>((_, reject) => {
     worker.addEventListener('error', ({ message }) => reject(new Error(message)));

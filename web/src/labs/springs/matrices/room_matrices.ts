@@ -1,0 +1,70 @@
+import type { Elimination, Factor, Matrices } from '../../../solver/matrices.ts';
+import type { Triplets } from '../../../solver/module.ts';
+import type { SparsityModel } from '../../../views/sparsity/sparsity_view.tsx';
+import { listed, numbered } from './axes.ts';
+import { modelOf } from './model_of.ts';
+import type { Numbering } from './numbering.ts';
+import { roomWords } from './room_words.ts';
+import { springFinder } from './spring_between.ts';
+
+export const matrixNames = ['A', 'M', 'C', 'AtA', 'Q', 'L', 'P'] as const;
+export type MatrixName = (typeof matrixNames)[number];
+
+export const fillColours: SparsityModel['kinds'] = [['--symbol-Q'], ['--symbol-d']];
+
+/** The lab's matrices as the view shows them. L and P once the solver's elimination is there, and L only where it was computed. */
+export function roomMatrices(
+  { A, M, C, AtA, Q }: Matrices,
+  elimination: Elimination | null,
+  { E, vertexCount, pinned }: Numbering,
+): Record<MatrixName, SparsityModel | null> {
+  const springs = numbered('spring', E.length / 2);
+  const vertices = numbered('vertex', vertexCount);
+  const linked = { E, springBetween: springFinder(E, vertexCount) };
+  const order = elimination && listed(elimination.order);
+  const factor = elimination?.factor ?? null;
+  return {
+    A: modelOf({ ...linked, symbol: 'A', triplets: A, rows: springs, columns: vertices }),
+    M: modelOf({ ...linked, symbol: 'M', triplets: M, rows: vertices, columns: vertices }),
+    C: modelOf({ ...linked, symbol: 'C', triplets: C, rows: listed(pinned, true), columns: vertices }),
+    AtA: modelOf({ ...linked, symbol: 'A', triplets: AtA, rows: vertices, columns: vertices, unit: null }),
+    Q: modelOf({ ...linked, symbol: 'Q', triplets: Q, rows: vertices, columns: vertices }),
+    L:
+      factor &&
+      order &&
+      modelOf({
+        ...linked,
+        symbol: 'L',
+        triplets: factor,
+        rows: order,
+        columns: order,
+        kinds: { of: (entry) => (isFill(factor, entry) ? 1 : 0), colours: fillColours },
+        remark: (entry, pattern) => (entry >= 0 && pattern.kind[entry] === 1 ? roomWords().entry.fill : ''),
+      }),
+    P:
+      elimination &&
+      order &&
+      modelOf({
+        ...linked,
+        symbol: 'P',
+        triplets: permutation(elimination.order, vertexCount),
+        rows: order,
+        columns: vertices,
+      }),
+  };
+}
+
+export function isFill({ born }: Pick<Factor, 'born'>, entry: number): boolean {
+  return born[entry] > 0;
+}
+
+/** Row c picks the vertex that is eliminated as the c-th. */
+function permutation(order: Int32Array, columns: number): Triplets {
+  return {
+    rows: order.length,
+    columns,
+    i: Int32Array.from(order.keys()),
+    j: order,
+    value: new Float64Array(order.length).fill(1),
+  };
+}
