@@ -12,6 +12,7 @@ import { type Highlight, highlighted, litSymbols, nothing } from './highlight.ts
  * and, beside data-about, where in particular:
  *   data-row, data-column    a row or column of the symbol's matrix, both for an entry, with its number in data-value
  *   data-line="d.cpp 11"     a line of code
+ * An element with data-points says by itself, in `highlighted`, what is pointed at in it, and shows no cards.
  */
 const hooks = '[data-sym], [data-about], [data-spring], [data-vertex]';
 const meaningfulAttributes = ['sym', 'about', 'spring', 'vertex', 'row', 'column', 'value', 'line'].map(
@@ -99,6 +100,10 @@ function hookAt(target: EventTarget | null): Hook | null {
 
 export const cardId = 'card';
 
+function pointsItself(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest('[data-points]') !== null;
+}
+
 function isInCard(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest(`#${cardId}`) !== null;
 }
@@ -137,7 +142,7 @@ export function followPointing(root: HTMLElement): void {
     if (hook && event.detail > 0 && !isInCard(event.target) && !hasWandered(event)) pointAt(hook, 'tap');
   });
   root.addEventListener('focusin', ({ target }) => {
-    if (isInCard(target)) return;
+    if (isInCard(target) || pointsItself(target)) return;
     const hook = hookAt(target);
     if (hook) pointAt(hook, 'focus');
     else pointAway();

@@ -63,7 +63,7 @@ export function SparsityView({ figure, model, label, onSelect, children }: Props
       onHover: (place) => {
         pointedAt.value = place;
         highlighted.value = place
-          ? { symbols: [latest.current.model.symbol], figure, ...latest.current.model.thingsAt(place) }
+          ? { ...nothing, symbols: [latest.current.model.symbol], figure, ...latest.current.model.thingsAt(place) }
           : nothing;
       },
       onTap: (place) => {
@@ -101,16 +101,19 @@ export function SparsityView({ figure, model, label, onSelect, children }: Props
   const place = inMatrix(here.value, model.pattern);
   const things = model.thingsAt(place);
   const point = (next: Place) => {
-    here.value = next;
     pointedAt.value = next;
-    highlighted.value = { symbols: [model.symbol], figure, ...model.thingsAt(next) };
+    highlighted.value = { ...nothing, symbols: [model.symbol], figure, ...model.thingsAt(next) };
+  };
+  const move = (next: Place) => {
+    here.value = next;
+    point(next);
     control.current?.reveal(next);
   };
 
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const next = moveInPattern(event.key, model.pattern, place, event.shiftKey);
-    if (next) point(next);
+    if (next) move(next);
     else if (event.key === '+' || event.key === '=') control.current?.zoomTo(zoomStride, place);
     else if (event.key === '-') control.current?.zoomTo(1 / zoomStride, place);
     else if (event.key === '0') control.current?.fit();
@@ -153,17 +156,16 @@ export function SparsityView({ figure, model, label, onSelect, children }: Props
         aria-label={label}
         aria-roledescription={words.role}
         aria-description={words.keys}
-        data-about={model.symbol}
-        data-spring={things.spring}
-        data-vertex={things.vertex}
+        data-points
         onKeyDown={onKeyDown}
         onFocus={() => {
           hasFocus.value = true;
-          pointedAt.value = place;
+          point(place);
         }}
         onBlur={() => {
           hasFocus.value = false;
           pointedAt.value = null;
+          highlighted.value = nothing;
         }}
       >
         <canvas ref={canvas} />
