@@ -96,7 +96,7 @@ export class SparsityControl {
   }
 
   private move(change: (view: Viewport, shown: Omit<Sparsity, 'view'>) => Viewport): void {
-    if (!this.shown) return;
+    if (!this.shown || this.area.width === 0) return;
     this.view = change(this.currentView(this.shown), this.shown);
     this.invalidate();
   }
@@ -122,7 +122,7 @@ export class SparsityControl {
   private invalidate(): void {
     this.drawing ||= requestAnimationFrame(() => {
       this.drawing = 0;
-      if (!this.shown) return;
+      if (!this.shown || this.area.width === 0) return; // not laid out yet
       const started = performance.now();
       this.picture.render({ ...this.shown, view: this.currentView(this.shown) }, this.area);
       this.canvas.style.touchAction = this.isWhole ? 'pan-y' : 'none'; // a finger on all of it scrolls the page
