@@ -22,7 +22,9 @@ const length = (vector: number[]) => Math.hypot(...vector);
 /** The projection d = r (p_i − p_j)/‖p_i − p_j‖; any direction when collapsed. */
 function projection(p: Float64Array, r: number): Float64Array {
   const x = difference(p);
-  return Float64Array.from(length(x) > 0 ? x.map((c) => (r * c) / length(x)) : [r, 0, 0]);
+  return Float64Array.from(
+    length(x) > 0 ? x.map((c) => r * (c / length(x))) /* in this order: r c may underflow */ : [r, 0, 0],
+  );
 }
 
 /** Both ends of the piece, #6. */
