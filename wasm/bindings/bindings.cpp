@@ -13,6 +13,7 @@
 #include "explicit_step.h"
 #include "inertial_prediction.h"
 #include "matrix_in_order.h"
+#include "mistaken_simulation.h"
 #include "ordering.h"
 #include "simulation.h"
 #include "solving_example.h"
@@ -75,6 +76,12 @@ Method method_of(const std::string& name) {
 }
 void set_method(Parameters& parameters, const std::string& name) {
   parameters.method = method_of(name);
+}
+
+Mistake mistake_of(const std::string& name) {
+  const auto& names = mistake_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Mistake::none : static_cast<Mistake>(found - names.begin());
 }
 
 std::string stop_reason(const Simulation& simulation) {
@@ -176,6 +183,7 @@ int pins(const Simulation& simulation) { return simulation.time_step().pinned.si
 val status_codes() { return val::array(status_code_names()); }
 val methods() { return val::array(method_names()); }
 val orderings() { return val::array(ordering_names()); }
+val mistakes() { return val::array(mistake_names()); }
 
 }  // namespace
 
@@ -185,6 +193,7 @@ EMSCRIPTEN_BINDINGS(solver) {
   function("status_codes", &status_codes);
   function("methods", &methods);
   function("orderings", &orderings);
+  function("mistakes", &mistakes);
 
   value_object<Status>("Status")
       .field("code", &code, &set_code)
@@ -330,6 +339,54 @@ EMSCRIPTEN_BINDINGS(solver) {
           "most_flops", +[](const E&) { return E::most_flops; })
       .function("factorise", &E::factorise)
       .function("after", &after);
+
+  using F = MistakenSimulation;
+  class_<F>("MistakenSimulation")
+      .constructor<>()
+      .function(
+          "set_scene",
+          +[](F& s, val V, val E, val m, val pinned, const Parameters& parameters,
+              const std::string& mistake) {
+            return s.set_scene(doubles(V), ints(E), doubles(m), ints(pinned), parameters,
+                               mistake_of(mistake));
+          })
+      .function("set_parameters", &F::set_parameters)
+      .function(
+          "set_pins",
+          +[](F& s, val pinned, val targets) { return s.set_pins(ints(pinned), doubles(targets)); })
+      .function("reset", &F::reset)
+      .function(
+          "set_state",
+          +[](F& s, int step, val p_curr, val p_prev, int half_step) {
+            return s.set_state(step, doubles(p_curr), doubles(p_prev), half_step);
+          })
+      .function("step", &F::step)
+      .function("step_number", &F::step_number)
+      .function("half_step", &F::half_step)
+      .function("last_half_step", &F::last_half_step)
+      .function(
+          "vertex_count", +[](const F& s) { return static_cast<int>(s.time_step().m.size()); })
+      .function(
+          "spring_count", +[](const F& s) { return static_cast<int>(s.time_step().E.rows()); })
+      .function(
+          "p", +[](const F& s) { return lend(s.p()); })
+      .function(
+          "p_curr", +[](const F& s) { return lend(s.time_step().p_curr); })
+      .function(
+          "p_prev", +[](const F& s) { return lend(s.time_step().p_prev); })
+      .function(
+          "m", +[](const F& s) { return lend(s.time_step().m); })
+      .function(
+          "objective_at", +[](const F& s, val p) { return s.objective_at(doubles(p)); })
+      .function(
+          "factorisation_count", +[](const F& s) { return s.solver().factorisation_count(); })
+      .function(
+          "factorisation_time", +[](const F& s) { return s.solver().factorisation_time(); })
+      .function(
+          "stored_in_Q", +[](const F& s) { return s.solver().stored_in_Q(); })
+      .function(
+          "nonzeros_of_Q", +[](const F& s) { return s.solver().nonzeros_of_Q(); })
+      .function("stored_in_L", +[](const F& s) { return s.solver().stored_in_L(); });
 
   class_<SolvingExample>("SolvingExample")
       .constructor<int>()

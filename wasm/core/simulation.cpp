@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "checked_state.h"
 #include "gradient.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
@@ -11,11 +12,6 @@
 #include "system_matrix.h"
 #include "triplets_from_matrix.h"
 #include "validate_iterate.h"
-#include "validate_masses.h"
-#include "validate_parameters.h"
-#include "validate_pinned.h"
-#include "validate_points.h"
-#include "validate_springs.h"
 #include "validate_system.h"
 
 namespace mass_spring {
@@ -28,54 +24,29 @@ Points as_points(const std::vector<double>& rows) {
   return Eigen::Map<const Points>(rows.data(), rows.size() / 3, 3);
 }
 
-Indices as_indices(const std::vector<int>& values) {
-  return Eigen::Map<const Indices>(values.data(), values.size());
-}
-
 }  // namespace
 
 Status Simulation::set_scene(const std::vector<double>& V, const std::vector<int>& E,
                              const std::vector<double>& m, const std::vector<int>& pinned,
                              const Parameters& parameters) {
-  const int n = static_cast<int>(V.size() / 3);
-  for (const Status& status :
-       {validate_points("V", V, n), n > 0 ? Status{} : Status{StatusCode::no_vertices, "V", -1, 0},
-        validate_springs(E, n), validate_masses(m, n), validate_pinned(pinned, n),
-        validate_parameters(parameters)}) {
-    if (!status.ok()) return status;
-  }
   State next;
-  next.V = as_points(V);
-  next.scene_m = Eigen::Map<const Vector>(m.data(), n);
-  next.parameters = parameters;
-  next.time_step.E = Eigen::Map<const Edges>(E.data(), E.size() / 2, 2);
-  next.time_step.pinned = as_indices(pinned);
-  next.reset();
-  const Status status = replace(std::move(next), "scene", [this] { return seek(0); });
+  Status status = checked_scene(V, E, m, pinned, parameters, next);
+  if (!status.ok()) return status;
+  status = replace(std::move(next), "scene", [this] { return seek(0); });
   if (status.ok()) history_.clear();
   return status;
 }
 
 Status Simulation::set_parameters(const Parameters& parameters) {
-  if (!has_scene()) return no_scene;
-  const Status status = validate_parameters(parameters);
-  if (!status.ok()) return status;
   State next = state_;
-  next.parameters = parameters;
-  return replace_in_place(std::move(next));
+  const Status status = checked_parameters(parameters, next);
+  return status.ok() ? replace_in_place(std::move(next)) : status;
 }
 
 Status Simulation::set_pins(const std::vector<int>& pinned, const std::vector<double>& targets) {
-  if (!has_scene()) return no_scene;
-  for (const Status& status :
-       {validate_pinned(pinned, static_cast<int>(state_.V.rows())),
-        validate_points("targets", targets, static_cast<int>(pinned.size()))}) {
-    if (!status.ok()) return status;
-  }
   State next = state_;
-  next.time_step.pinned = as_indices(pinned);
-  next.time_step.targets = as_points(targets);
-  return replace_in_place(std::move(next));
+  const Status status = checked_pins(pinned, targets, next);
+  return status.ok() ? replace_in_place(std::move(next)) : status;
 }
 
 Status Simulation::reset() {
@@ -89,20 +60,10 @@ Status Simulation::reset() {
 
 Status Simulation::set_state(int step_number, const std::vector<double>& p_curr,
                              const std::vector<double>& p_prev, int half_step) {
-  if (!has_scene()) return no_scene;
-  const int n = static_cast<int>(state_.V.rows());
-  for (const Status& status :
-       {validate_points("p_curr", p_curr, n), validate_points("p_prev", p_prev, n)}) {
-    if (!status.ok()) return status;
-  }
-  if (step_number < 1) {
-    return {StatusCode::not_positive, "step", -1, static_cast<double>(step_number)};
-  }
   State next = state_;
-  next.step_number = step_number;
-  next.time_step.p_curr = as_points(p_curr);
-  next.time_step.p_prev = as_points(p_prev);
-  const Status status = replace(std::move(next), "", [this, half_step] { return seek(half_step); });
+  Status status = checked_moment(step_number, p_curr, p_prev, next);
+  if (!status.ok()) return status;
+  status = replace(std::move(next), "", [this, half_step] { return seek(half_step); });
   if (status.ok()) history_.clear();
   return status;
 }

@@ -22,7 +22,7 @@ export type Mistake = (typeof mistakes)[number];
  *
  * Called as `Simulation` is, of which it has the calls that a run needs. It never hands out a number that is not finite: the time step in which one
  * turns up fails with `diverged` and stays failed, `step_number`, `half_step` and the status's index tell where, and p() stays p^t. Coordinates
- * beyond a thousand times the scene's diagonal count as diverged too; then `value` is the coordinate and `limit` the largest allowed, m.
+ * beyond a million times the largest of the rest positions (or of 1 m) count as diverged too; then `limit` is that, m, and otherwise 0.
  *
  * As there, a Float64Array is BORROWED, valid until the next call on the module.
  */
