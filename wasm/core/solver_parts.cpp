@@ -16,11 +16,14 @@ void project_once(MistakableSolver& solver, int iterations) {
 
 void right_hand_side_without_k(const SparseMatrix& A, double, const Points& d,
                                Workspace& workspace) {
-  workspace.b = A.transpose() * d + workspace.y;
+  workspace.b.resizeLike(workspace.y);
+  workspace.b.noalias() = A.transpose() * d;
+  workspace.b = workspace.b + workspace.y;
 }
 
 Triplets incidence_without_minus(const Edges& E) {
   Triplets A;
+  A.reserve(2 * E.rows());
   for (int e = 0; e < E.rows(); ++e) {
     A.emplace_back(e, E(e, 0), 1.0);
     A.emplace_back(e, E(e, 1), 1.0);
@@ -30,21 +33,32 @@ Triplets incidence_without_minus(const Edges& E) {
 
 void inertial_with_times_swapped(const TimeStep& step, const Points&, const SparseMatrix& M,
                                  const SparseMatrix& C, Points& y) {
-  const Points inertial = (2 * step.p_prev - step.p_curr) / (step.delta_t * step.delta_t);
-  y = M * inertial + step.f_ext + C.transpose() * (step.w * step.targets);
+  const Points inertial =
+      (2 * step.p_prev - step.p_curr) / (step.delta_t * step.delta_t);  // #V by 3, m/s²
+  const Points held = step.w * step.targets;                            // #pinned by 3, N
+  y = step.f_ext;
+  y.noalias() += M * inertial;
+  y.noalias() += C.transpose() * held;
 }
 
 void inertial_with_rest_for_targets(const TimeStep& step, const Points& V, const SparseMatrix& M,
                                     const SparseMatrix& C, Points& y) {
-  const Points inertial = (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);
-  y = M * inertial + step.f_ext + C.transpose() * C * (step.w * V);
+  const Points inertial =
+      (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);  // #V by 3, m/s²
+  const Points held = step.w * V;                                       // #V by 3, N
+  y = step.f_ext;
+  y.noalias() += M * inertial;
+  y.noalias() += C.transpose() * C * held;
 }
 
 void inertial_with_gradient_as_force(const TimeStep& step, const Points&, const SparseMatrix& M,
                                      const SparseMatrix& C, Points& y) {
-  const Points inertial = (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);
-  const Points gradient = -step.f_ext;  // of - Σ p_iᵀ f_i^ext
-  y = M * inertial + gradient + C.transpose() * (step.w * step.targets);
+  const Points inertial =
+      (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);  // #V by 3, m/s²
+  const Points held = step.w * step.targets;                            // #pinned by 3, N
+  y = -step.f_ext;  // the gradient of - Σ p_iᵀ f_i^ext
+  y.noalias() += M * inertial;
+  y.noalias() += C.transpose() * held;
 }
 
 Triplets system_without_pins(const TimeStep& step, const Triplets& A) {
@@ -55,8 +69,10 @@ Triplets system_without_pins(const TimeStep& step, const Triplets& A) {
 
 void inertial_without_pins(const TimeStep& step, const Points&, const SparseMatrix& M,
                            const SparseMatrix&, Points& y) {
-  const Points inertial = (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);
-  y = M * inertial + step.f_ext;
+  const Points inertial =
+      (2 * step.p_curr - step.p_prev) / (step.delta_t * step.delta_t);  // #V by 3, m/s²
+  y = step.f_ext;
+  y.noalias() += M * inertial;
 }
 
 void overwrite_pins_after_solving(MistakableSolver& solver, int iterations) {

@@ -2,13 +2,22 @@ import { useRef, useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
 import { cardId } from '../../app/pointing.ts';
 import { moveInGrid } from '../../lib/move_in_grid.ts';
-import { linesOf, type SourceFile, symbolNamed } from './sources.ts';
+import { linesOf, rangeOfPart, type SourceFile, symbolNamed } from './sources.ts';
 import { tokenize } from './tokenize.ts';
 import './code.css';
 
-/** A file of the solver's own source, its symbols linked. One tab stop: arrows go from line to line, and in a line from symbol to symbol. */
-export function CodeListing({ file }: { file: SourceFile }) {
+interface Props {
+  file: SourceFile;
+  /** One function of it alone. */
+  name?: string;
+  /** Numbers of lines to mark, from 0. */
+  marked?: ReadonlySet<number>;
+}
+
+/** Of the solver's own source, with its symbols linked. One tab stop: arrows go from line to line, and in a line from symbol to symbol. */
+export function CodeListing({ file, name, marked }: Props) {
   const list = useRef<HTMLOListElement>(null);
+  const { first, end } = name === undefined ? { first: 0, end: undefined } : rangeOfPart({ file, name });
   const [current, setCurrent] = useState(0);
 
   const onKeyDown = (event: KeyboardEvent) => {
@@ -33,9 +42,18 @@ export function CodeListing({ file }: { file: SourceFile }) {
     <figure class="code-listing">
       <figcaption>wasm/core/{file}</figcaption>
       <ol ref={list} aria-label={t('code.listing', { file })} onKeyDown={onKeyDown}>
-        {linesOf(file).map((line, row) => (
-          <Line key={`${row} ${line}`} file={file} number={row + 1} line={line} isTabStop={row === current} />
-        ))}
+        {linesOf(file)
+          .slice(first, end)
+          .map((line, row) => (
+            <Line
+              key={`${row} ${line}`}
+              file={file}
+              number={first + row + 1}
+              line={line}
+              isTabStop={row === current}
+              isMarked={marked?.has(first + row) ?? false}
+            />
+          ))}
       </ol>
     </figure>
   );
@@ -46,16 +64,21 @@ interface LineProps {
   number: number;
   line: string;
   isTabStop: boolean;
+  isMarked: boolean;
 }
 
-function Line({ file, number, line, isTabStop }: LineProps) {
+function Line({ file, number, line, isTabStop, isMarked }: LineProps) {
   const tokens = tokenize(line).map((token) => ({
     ...token,
     symbol: token.kind === 'name' ? symbolNamed(token.text, file) : undefined,
   }));
   const symbols = new Set(tokens.flatMap(({ symbol }) => symbol ?? []));
   return (
-    <li data-about={[...symbols].join(' ')} data-line={`${file} ${number}`}>
+    <li
+      data-about={[...symbols].join(' ')}
+      data-line={`${file} ${number}`}
+      class={isMarked ? 'code-marked' : undefined}
+    >
       <button
         type="button"
         class="code-line"

@@ -10,8 +10,10 @@ import localStep from '../../../../wasm/core/local_step.cpp?raw';
 import massMatrix from '../../../../wasm/core/mass_matrix.cpp?raw';
 import matrixFromTriplets from '../../../../wasm/core/matrix_from_triplets.cpp?raw';
 import rightHandSide from '../../../../wasm/core/right_hand_side.cpp?raw';
+import rightParts from '../../../../wasm/core/right_parts.cpp?raw';
 import selectionMatrix from '../../../../wasm/core/selection_matrix.cpp?raw';
 import signedIncidenceMatrix from '../../../../wasm/core/signed_incidence_matrix.cpp?raw';
+import solverParts from '../../../../wasm/core/solver_parts.cpp?raw';
 import sparseCholesky from '../../../../wasm/core/sparse_cholesky.cpp?raw';
 import systemMatrix from '../../../../wasm/core/system_matrix.cpp?raw';
 import { type SymbolId, symbol, symbolIds } from '../../notation/symbols.ts';
@@ -30,8 +32,10 @@ const files = {
   'mass_matrix.cpp': massMatrix,
   'matrix_from_triplets.cpp': matrixFromTriplets,
   'right_hand_side.cpp': rightHandSide,
+  'right_parts.cpp': rightParts,
   'selection_matrix.cpp': selectionMatrix,
   'signed_incidence_matrix.cpp': signedIncidenceMatrix,
+  'solver_parts.cpp': solverParts,
   'sparse_cholesky.cpp': sparseCholesky,
   'system_matrix.cpp': systemMatrix,
 };
@@ -44,6 +48,35 @@ export function linesOf(file: SourceFile): string[] {
   const [, body] = files[file].split(/^.*namespace mass_spring.*$/m);
   const [definitions] = body.split(/^template void/m);
   return definitions.trim().split('\n');
+}
+
+/** A function in a file. */
+export interface CodePart {
+  file: SourceFile;
+  name: string;
+}
+
+/** Lines `first` to before `end` of linesOf(file): the function with what is said about it above. */
+export function rangeOfPart({ file, name }: CodePart): { first: number; end: number } {
+  const lines = linesOf(file);
+  const head = lines.findIndex((line) => new RegExp(`^[A-Za-z].*\\b${name}\\(`).test(line));
+  if (head < 0) throw new RangeError(`${file}: no function ${name}`);
+  const before = lines.slice(0, head).findLastIndex((line) => !/^(\/\/|template)/.test(line));
+  return { first: before + 1, end: lines.indexOf('}', head) + 1 };
+}
+
+/** Lines of one function's body that the other's lacks: where they differ, if they are written alike. */
+export function linesMissingIn(other: CodePart, part: CodePart): ReadonlySet<number> {
+  const theirs = new Set(bodyOf(other).map(({ line }) => line));
+  return new Set(bodyOf(part).flatMap(({ line, at }) => (theirs.has(line) ? [] : [at])));
+}
+
+/** Without its head, which names and parameters make another anyway. */
+function bodyOf(part: CodePart): { line: string; at: number }[] {
+  const { first, end } = rangeOfPart(part);
+  const lines = linesOf(part.file);
+  const head = lines.findIndex((line, at) => at >= first && line.endsWith('{'));
+  return lines.slice(head + 1, end - 1).map((line, at) => ({ line, at: head + 1 + at }));
 }
 
 const symbolWithCode = new Map(symbolIds.map((id) => [symbol(id).code, id]));

@@ -1,0 +1,2 @@
+export const measures = ['height', 'energy', 'time'] as const;
+export type Measure = (typeof measures)[number];
