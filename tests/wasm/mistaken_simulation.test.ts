@@ -32,8 +32,10 @@ const calls: { [Name in keyof MistakenSimulation]: [Parameters<MistakenSimulatio
   p: [[], doubles],
   p_curr: [[], doubles],
   p_prev: [[], doubles],
+  r: [[], Float64Array.of(0.5, 0.5)],
   m: [[], Float64Array.of(1, 1, 1)],
   objective_at: [[V], { objective: number, potential: number, inertia: number, external: number, pin: number }],
+  energy: [[], { kinetic: number, springs: number, external: number }],
   factorisation_count: [[], 1],
   factorisation_time: [[], number],
   // Three on the diagonal, and two for each spring.
@@ -71,6 +73,7 @@ test('without a mistake it is the trusted plain path, bit for bit', () => {
         expect(other.p()).toEqual(trusted.p());
         expect(other.p_curr()).toEqual(trusted.p_curr());
         expect(other.p_prev()).toEqual(trusted.p_prev());
+        expect(other.energy()).toEqual(trusted.energy());
         expect(other.objective_at(scene.V)).toEqual(trusted.objective_at(scene.V));
       }
       // A parameter, the order of the pins and a pin moved in mid-motion.

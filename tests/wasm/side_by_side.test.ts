@@ -58,3 +58,17 @@ test('what is refused says so, and which parameter', () => {
   const outcome = new SideBySideSession(solver).open(scene, [variants[0], variant({ k: -1 })], held, null);
   expect(outcome).toMatchObject({ ok: false, status: { code: 'not_positive', field: 'k', value: -1 } });
 });
+
+test('a variant with a mistake that diverges says where and stands still, while the right one goes on', () => {
+  const usual = variants[1].parameters;
+  const { session, states } = opened([variants[1], { parameters: usual, mistake: 'times-swapped' }]);
+  expect(states.map(({ cost }) => cost?.storedInQ)).toEqual([undefined, 16 + 2 * 33]);
+  const [right, wrong] = session.run(held, 100);
+  expect(right).toMatchObject({ failure: null, cost: null });
+  expect(right.energies).toHaveLength(100);
+  expect(wrong.failure?.status).toMatchObject({ code: 'diverged', field: 'p' });
+  expect(wrong.failure).toMatchObject({ step: wrong.energies.length + 1, half_step: 2 });
+  expect(wrong.p.every(Number.isFinite)).toBe(true);
+  const [, later] = session.run(held, 1);
+  expect(later).toMatchObject({ energies: [], failure: wrong.failure, p: wrong.p });
+});

@@ -375,9 +375,12 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "p_prev", +[](const F& s) { return lend(s.time_step().p_prev); })
       .function(
+          "r", +[](const F& s) { return lend(s.time_step().r); })
+      .function(
           "m", +[](const F& s) { return lend(s.time_step().m); })
       .function(
           "objective_at", +[](const F& s, val p) { return s.objective_at(doubles(p)); })
+      .function("energy", &F::energy)
       .function(
           "factorisation_count", +[](const F& s) { return s.solver().factorisation_count(); })
       .function(

@@ -98,6 +98,13 @@ Objective MistakenSimulation::objective_at(const std::vector<double>& p) const {
   return objective(state_.time_step, Eigen::Map<const Points>(p.data(), state_.V.rows(), 3));
 }
 
+MechanicalEnergy MistakenSimulation::energy() const {
+  if (!has_scene()) return {};
+  const TimeStep& step = state_.time_step;
+  return at_accept() ? mechanical_energy(step, solver_.p(), step.p_curr)
+                     : mechanical_energy(step, step.p_curr, step.p_prev);
+}
+
 /// To predict.
 void MistakenSimulation::begin() {
   state_.derive_forces();

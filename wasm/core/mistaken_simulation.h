@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanical_energy.h"
 #include "mistakable_solver.h"
 #include "mistake.h"
 #include "objective.h"
@@ -35,6 +36,8 @@ class MistakenSimulation {
   const Points& p() const { return at_accept() ? solver_.p() : state_.time_step.p_curr; }
   /// The right one. Not-a-numbers where p is not #V by 3.
   Objective objective_at(const std::vector<double>& p) const;
+  /// Of p(), the settled positions.
+  MechanicalEnergy energy() const;
   const MistakableSolver& solver() const { return solver_; }
 
  private:

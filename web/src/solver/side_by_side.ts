@@ -18,6 +18,14 @@ export interface VariantState {
   milliseconds: number;
   /** Of Q, since the beginning. */
   factorisations: number;
+  /** What only a variant with a mistake tells. */
+  cost: {
+    /** Wall-clock ms of all its factorisations. */
+    factorising: number;
+    /** Entries that Q stores, and those of them that are not zero. */
+    storedInQ: number;
+    nonzerosOfQ: number;
+  } | null;
   /** Why it stands still: the time step that failed, and the half-step where that is known. */
   failure: { status: Status; step: number; half_step: number | null } | null;
 }
@@ -59,10 +67,16 @@ type Runner = Pick<
   | 'delete'
 >;
 
+interface Running {
+  simulation: Runner;
+  cost: () => VariantState['cost'];
+  failure: VariantState['failure'];
+}
+
 /** Owns the simulations and makes them take turns. Runs in a worker; knows neither worker nor page. */
 export class SideBySideSession {
   private readonly module: SolverModule;
-  private runners: { simulation: Runner; failure: VariantState['failure'] }[] = [];
+  private runners: Running[] = [];
 
   constructor(module: SolverModule) {
     this.module = module;
@@ -71,8 +85,9 @@ export class SideBySideSession {
   open(problem: Problem, variants: readonly Variant[], pins: Pins, from: Checkpoint | null): Outcome<OpenedSideBySide> {
     const next: typeof this.runners = [];
     for (const variant of variants) {
-      const [simulation, opened] = this.simulationOf(problem, variant, pins);
-      next.push({ simulation, failure: null });
+      const [runner, opened] = this.runnerOf(problem, variant, pins);
+      const { simulation } = runner;
+      next.push(runner);
       let status = opened;
       if (status.code === 'ok') status = simulation.set_pins(pins.pinned, pins.targets);
       if (status.code === 'ok' && from) status = simulation.set_state(from.step, from.p_curr, from.p_prev, 0);
@@ -102,13 +117,18 @@ export class SideBySideSession {
     });
   }
 
-  private simulationOf({ V, E, m }: Problem, { parameters, mistake }: Variant, { pinned }: Pins): [Runner, Status] {
+  private runnerOf({ V, E, m }: Problem, { parameters, mistake }: Variant, { pinned }: Pins): [Running, Status] {
     if (mistake === 'none') {
       const simulation = new this.module.Simulation();
-      return [simulation, simulation.set_scene(V, E, m, pinned, parameters)];
+      return [{ simulation, cost: () => null, failure: null }, simulation.set_scene(V, E, m, pinned, parameters)];
     }
     const simulation = new this.module.MistakenSimulation();
-    return [simulation, simulation.set_scene(V, E, m, pinned, parameters, mistake)];
+    const cost = () => ({
+      factorising: 1e3 * simulation.factorisation_time(),
+      storedInQ: simulation.stored_in_Q(),
+      nonzerosOfQ: simulation.nonzeros_of_Q(),
+    });
+    return [{ simulation, cost, failure: null }, simulation.set_scene(V, E, m, pinned, parameters, mistake)];
   }
 }
 
@@ -117,7 +137,7 @@ function release(runners: readonly { simulation: Runner }[]): void {
 }
 
 function stateOf(
-  { simulation, failure }: { simulation: Runner; failure: VariantState['failure'] },
+  { simulation, cost, failure }: Running,
   energies: MechanicalEnergy[],
   milliseconds: number,
 ): VariantState {
@@ -126,6 +146,7 @@ function stateOf(
     energies,
     milliseconds,
     factorisations: simulation.factorisation_count(),
+    cost: cost(),
     failure,
   };
 }
