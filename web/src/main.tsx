@@ -5,6 +5,7 @@ import { followAddress, readAddress } from './app/address.ts';
 import { preferredLanguage, t } from './app/messages/index.ts';
 import { followPointing } from './app/pointing.ts';
 import { appliedTheme } from './app/preferences.ts';
+import { roomKeys } from './app/room_keys.ts';
 import { type Route, route } from './app/route.ts';
 import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
@@ -113,7 +114,9 @@ function listen(): void {
     if (event.key === '?') helpOpen.value = !helpOpen.value;
     else if (event.key === 'Escape') helpOpen.value = false;
     else if (route.value.page !== 'springs') return;
-    else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
+    else if (roomKeys.value) {
+      if (!roomKeys.value(event.key)) return;
+    } else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
     event.preventDefault();
   });
   // A control used with the pointer gives the keys back to the page; one reached with the keyboard keeps them.

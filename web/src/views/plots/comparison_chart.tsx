@@ -3,10 +3,10 @@ import type { Actions } from '../../app/actions.ts';
 import { type Comparison, comparison, timeStep } from '../../app/comparison.ts';
 import { t } from '../../app/messages/index.ts';
 import { parameters } from '../../app/state.ts';
+import { Choice } from '../../lib/choice.tsx';
 import { formatQuantity } from '../../lib/format.ts';
 import type { Method } from '../../solver/module.ts';
 import { stopOf } from '../../solver/stop_of.ts';
-import { Choice } from './choice.tsx';
 import {
   type Abscissa,
   abscissaRange,

@@ -3,11 +3,11 @@ import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { state } from '../../app/state.ts';
 import type { Frame } from '../../solver/frame.ts';
-import { Choice } from './choice.tsx';
 import { ComparisonChart } from './comparison_chart.tsx';
 import { ObjectiveChart } from './objective_chart.tsx';
 import 'uplot/dist/uPlot.min.css';
 import '../../notation/colours.css';
+import { Choice } from '../../lib/choice.tsx';
 import './plots.css';
 
 /** One time step in a plot: half-step by half-step, or by every method. */

@@ -9,7 +9,6 @@ import {
   readScore,
   shuffledCards,
 } from '../../../../../web/src/labs/springs/misconceptions/quiz.ts';
-import { mistakes } from '../../../../../web/src/solver/mistaken_simulation.ts';
 
 /** Numbers in [0, 1) from a seed: a linear congruential generator, good enough to shuffle ten cards. */
 function randomFrom(seed: number) {
@@ -21,10 +20,6 @@ function randomFrom(seed: number) {
 }
 const randoms = fc.integer({ min: 0, max: 2 ** 32 - 1 }).map(randomFrom);
 const someCard = fc.constantFrom(...cards);
-
-it('there is a card for every mistake of the core', () => {
-  expect(['none', ...cards.map(({ mistake }) => mistake)]).toEqual([...mistakes]);
-});
 
 describe('questions', () => {
   it('come in every order, each mistake once, none twice running', () => {

@@ -14,8 +14,8 @@ export interface Card {
   also: readonly string[];
   /** What tells the two apart. */
   measure: Measure;
-  /** On a logarithmic axis, since it explodes. */
-  logarithmic?: boolean;
+  /** Whether it leaves every scale. */
+  explodes?: boolean;
   /** Whether the pins have to move for it to be seen. */
   movesPins?: boolean;
   /** TeX; what differs is boxed. */
@@ -76,7 +76,7 @@ export const cards: readonly Card[] = [
     scene: 'net',
     also: every,
     measure: 'energy',
-    logarithmic: true,
+    explodes: true,
     wrong: raw`\symy = \tfrac{1}{\symdeltaT^2}\symM\,(\boxed{2\sympPrev - \sympCurr}) + \dots`,
     right: raw`\symy = \tfrac{1}{\symdeltaT^2}\symM\,(\boxed{2\sympCurr - \sympPrev}) + \dots`,
     code: [{ wrong: { file: wrongFile, name: 'inertial_with_times_swapped' }, right: inertial }],
@@ -86,7 +86,7 @@ export const cards: readonly Card[] = [
     mistake: 'rest-for-targets',
     scene: 'net',
     also: [...every, 'tower'],
-    measure: 'energy',
+    measure: 'height',
     movesPins: true,
     wrong: raw`\symy = \dots + \symfExt + \symw\symC^{\mathrm T}\symC\,\boxed{\symV}`,
     right: raw`\symy = \dots + \symfExt + \symw\symC^{\mathrm T}\symC\,\boxed{\sympTarget}`,

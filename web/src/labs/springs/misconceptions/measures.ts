@@ -1,2 +1,39 @@
+import type { MechanicalEnergy } from '../../../solver/module.ts';
+
+/** What a chart can tell two simulations apart by. */
 export const measures = ['height', 'energy', 'time'] as const;
 export type Measure = (typeof measures)[number];
+
+/** Time step, and what was measured after it. */
+export type Point = readonly [step: number, value: number];
+
+/** y of the lowest of #V×3 points, m. */
+export function lowest(p: Float64Array): number {
+  let y = Number.POSITIVE_INFINITY;
+  for (let at = 1; at < p.length; at += 3) y = Math.min(y, p[at]);
+  return y;
+}
+
+/** J. */
+export function total({ kinetic, springs, external }: MechanicalEnergy): number {
+  return kinetic + springs + external;
+}
+
+/** Those of the points, in the order of their time steps, that are `gap` time steps and more apart. */
+export function thinned(points: readonly Point[], gap: number): Point[] {
+  let next = Number.NEGATIVE_INFINITY;
+  return points.filter(([step]) => {
+    if (step < next) return false;
+    next = step + gap;
+    return true;
+  });
+}
+
+/** Room for a curve, and for another that leaves it on either side: what explodes would press the first one flat. */
+export function rangeAround(points: readonly Point[]): readonly [min: number, max: number] | undefined {
+  if (points.length < 2) return undefined;
+  const values = points.map(([, value]) => value);
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const extent = most - least || 1;
+  return [least - extent, most + extent];
+}

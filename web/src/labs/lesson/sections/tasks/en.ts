@@ -60,6 +60,7 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
       answer: raw`Two usual reasons: triplets of value zero (a loop over all pairs that adds $0$ where there is no spring makes $3321^2$ of them), or a factorisation in every step or iteration. The first belongs to [section 8](sparse), the second to [section 7](solving). And compile with optimisation: Eigen without it is tens of times slower.`,
     },
   },
+  cabinet: 'Ten usual mistakes to watch, each beside the right solver, and a quiz on them',
   sources: {
     jacobson:
       'A. Jacobson, Computer Graphics – Mass-Spring Systems (course text): “Tasks”; the names of the functions are the course’s.',

@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
 import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { pathOf } from '../../../../app/route.ts';
 import { CodeListing } from '../../../../views/code/code_listing.tsx';
 import type { SourceFile } from '../../../../views/code/sources.ts';
 import { Display } from '../../../../views/equations/display.tsx';
@@ -103,6 +104,9 @@ export function Tasks() {
       {Object.entries(others).map(([id, mistake]) => (
         <Question key={id} {...mistake} />
       ))}
+      <p>
+        <a href={pathOf({ page: 'springs', room: 'misconceptions' })}>{words.cabinet}</a>
+      </p>
       <Sources items={words.sources} />
     </InSlices>
   );

@@ -63,6 +63,7 @@ export const zh: Catalogue<typeof en> = {
       answer: raw`常见原因有两个：一是存入了值为零的三元组（对所有质点对循环，没有弹簧的地方也加 $0$，就会产生 $3321^2$ 个三元组）；二是每个时间步甚至每次迭代都重新分解。前者见[第 8 节](sparse)，后者见[第 7 节](solving)。另外编译时要打开优化选项，否则 Eigen 会慢几十倍。`,
     },
   },
+  cabinet: '十个常见错误：逐个与正确的求解器并排观察，另有测验',
   sources: {
     jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Tasks”一节；函数名沿用该课程。',
     own: '代码由本项目根据公式自行编写（MIT 许可证），位于 wasm/core 文件夹。',

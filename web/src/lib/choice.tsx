@@ -1,3 +1,5 @@
+import './choice.css';
+
 interface Props<Value extends string> {
   label: string;
   /** Value and name of each. */
