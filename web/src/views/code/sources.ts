@@ -65,10 +65,12 @@ export function rangeOfPart({ file, name }: CodePart): { first: number; end: num
   return { first: before + 1, end: lines.indexOf('}', head) + 1 };
 }
 
-/** Lines of one function's body that the other's lacks: where they differ, if they are written alike. */
+/** Lines of one function's body that the other's lacks; none where no statement is the same, and to mark all would say nothing. */
 export function linesMissingIn(other: CodePart, part: CodePart): ReadonlySet<number> {
   const theirs = new Set(bodyOf(other).map(({ line }) => line));
-  return new Set(bodyOf(part).flatMap(({ line, at }) => (theirs.has(line) ? [] : [at])));
+  const mine = bodyOf(part);
+  if (!mine.some(({ line }) => line.endsWith(';') && theirs.has(line))) return new Set();
+  return new Set(mine.flatMap(({ line, at }) => (theirs.has(line) ? [] : [at])));
 }
 
 /** Without its head, which names and parameters make another anyway. */

@@ -13,7 +13,9 @@ export function followLayout(
 ): () => void {
   const parent = canvas.parentElement as HTMLElement;
   const follow = () => {
-    const origin = parent.getBoundingClientRect();
+    const border = parent.getBoundingClientRect();
+    // What is placed in it is placed from inside its border.
+    const origin = { left: border.left + parent.clientLeft, top: border.top + parent.clientTop };
     const places = views.map((view) => view.getBoundingClientRect());
     const x = Math.floor(Math.min(...places.map(({ left }) => left)) - origin.left);
     const y = Math.floor(Math.min(...places.map(({ top }) => top)) - origin.top);

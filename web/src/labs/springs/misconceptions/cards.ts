@@ -102,10 +102,7 @@ export const cards: readonly Card[] = [
     right: raw`\symQ = \symk\symA^{\mathrm T}\symA + \tfrac{1}{\symdeltaT^2}\symM + \boxed{\symw\symC^{\mathrm T}\symC}`,
     code: [
       { wrong: { file: wrongFile, name: 'overwrite_pins_after_solving' }, right: iterate },
-      {
-        wrong: { file: wrongFile, name: 'system_without_pins' },
-        right: { file: 'right_parts.cpp', name: 'system_of' },
-      },
+      { wrong: { file: wrongFile, name: 'inertial_without_pins' }, right: inertial },
     ],
     section: 'pins',
   },

@@ -5,15 +5,18 @@ import type { VariantState } from '../../../solver/side_by_side.ts';
 import { en } from './en.ts';
 import { zh } from './zh.ts';
 
+/** Where there is nothing to say. */
+const none = '–';
+
 /** What both solvers have spent. */
 export function Costs({ run, names }: { run: SideBySide; names: readonly [string, string] }) {
   const words = inLanguage({ en, zh }).counts;
   run.energies.value; // as often as a reader can follow, instead of with every picture
   const states = run.states.peek();
   const rows: readonly [string, (state: VariantState) => string][] = [
-    [words.time, ({ milliseconds }) => formatNumber(milliseconds, 2)],
+    [words.time, ({ milliseconds, failure }) => (failure ? none : inMilliseconds(milliseconds))],
     [words.factorisations, ({ factorisations }) => factorisations.toLocaleString('en')],
-    [words.factorising, ({ cost }) => (cost ? formatNumber(cost.factorising, 2) : '')],
+    [words.factorising, ({ cost }) => (cost ? inMilliseconds(cost.factorising) : none)],
     [words.stored, ({ cost }) => entriesOfQ(cost, states)],
   ];
   return (
@@ -41,6 +44,11 @@ export function Costs({ run, names }: { run: SideBySide; names: readonly [string
       </tbody>
     </table>
   );
+}
+
+/** Browsers tell the time to 0.1 ms. */
+function inMilliseconds(value: number): string {
+  return value < 0.1 ? '< 0.1' : formatNumber(value, 2);
 }
 
 /** The right solver stores what is not zero, which is what the mistaken one would have had to. */

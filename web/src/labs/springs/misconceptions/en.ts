@@ -2,7 +2,7 @@ const { raw } = String;
 
 export const en = {
   intro: raw`
-Ten mistakes that students really make. Each is made by a solver of its own, which runs beside the right one: same scene, same start, same clock. **Look first, guess why, then read on.**`,
+Ten mistakes that students really make, each made by a solver of its own beside the right one: same scene, same start, same clock. **Look first, guess why, then read on.**`,
   modes: { label: 'What to do', cabinet: 'Look at the ten', quiz: 'Guess the mistake' },
   choose: 'Mistakes',
   known: 'recognised in the quiz',
@@ -120,6 +120,7 @@ Ten mistakes that students really make. Each is made by a solver of its own, whi
     },
   },
   quiz: {
+    intro: 'Start them, drag the pins, watch the curves and the costs; some mistakes show only there.',
     ask: 'One of these two solvers makes a mistake. Which?',
     picture: 'Two nets, A and B; one is right',
     label: 'Your answer',

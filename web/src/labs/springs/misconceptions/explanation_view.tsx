@@ -14,6 +14,9 @@ export function ExplanationView({ card }: { card: Card }) {
   const words = inLanguage({ en, zh });
   const { parts } = words;
   const text = words.cards[card.mistake];
+  const pairs = card.code.map(({ wrong, right }) => {
+    return { wrong, right, inWrong: linesMissingIn(right, wrong), inRight: linesMissingIn(wrong, right) };
+  });
   return (
     <div class="explanation">
       <section class="explanation-words">
@@ -41,16 +44,16 @@ export function ExplanationView({ card }: { card: Card }) {
       </section>
       <section class="explanation-code">
         <h4>{parts.code}</h4>
-        <p>{parts.marked}</p>
-        {card.code.map(({ wrong, right }) => (
+        {pairs.some(({ inWrong, inRight }) => inWrong.size + inRight.size > 0) && <p>{parts.marked}</p>}
+        {pairs.map(({ wrong, right, inWrong, inRight }) => (
           <div key={wrong.name} class="code-pair">
             <div>
               <p class="is-wrong">✗ {parts.wrong}</p>
-              <CodeListing {...wrong} marked={linesMissingIn(right, wrong)} />
+              <CodeListing {...wrong} marked={inWrong} />
             </div>
             <div>
               <p class="is-right">✓ {parts.right}</p>
-              <CodeListing {...right} marked={linesMissingIn(wrong, right)} />
+              <CodeListing {...right} marked={inRight} />
             </div>
           </div>
         ))}

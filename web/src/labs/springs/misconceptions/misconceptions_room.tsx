@@ -27,17 +27,19 @@ export function MisconceptionsRoom({ actions }: { actions: Actions }) {
   };
   return (
     <main class="misconceptions">
-      <h2>{t('page.rooms.misconceptions')}</h2>
-      <Prose text={words.intro} />
-      <Choice
-        label={words.modes.label}
-        options={[
-          ['cabinet', words.modes.cabinet],
-          ['quiz', words.modes.quiz],
-        ]}
-        chosen={mode}
-        onChoose={setMode}
-      />
+      <header>
+        <h2>{t('page.rooms.misconceptions')}</h2>
+        <Choice
+          label={words.modes.label}
+          options={[
+            ['cabinet', words.modes.cabinet],
+            ['quiz', words.modes.quiz],
+          ]}
+          chosen={mode}
+          onChoose={setMode}
+        />
+      </header>
+      <Prose text={mode === 'cabinet' ? words.intro : words.quiz.intro} />
       {mode === 'cabinet' ? <Cabinet run={run} card={card} onChoose={setCard} /> : <QuizView run={run} onRead={read} />}
     </main>
   );

@@ -123,6 +123,7 @@ export const zh: Catalogue<typeof en> = {
     },
   },
   quiz: {
+    intro: '让它们运动，拖动固定点，观察曲线和代价；有些错误只在那里才看得出来。',
     ask: '这两个求解器中有一个犯了错误。是哪一个错误？',
     picture: '两张网 A 和 B，其中一张是正确的',
     label: '你的回答',
