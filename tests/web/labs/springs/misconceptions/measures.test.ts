@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { lowest, rangeAround, thinned, total } from '../../../../../web/src/labs/springs/misconceptions/measures.ts';
+import {
+  lowest,
+  rangeAround,
+  rangeOfStill,
+  thinned,
+  total,
+} from '../../../../../web/src/labs/springs/misconceptions/measures.ts';
 
 it('the lowest vertex is the one of the least y', () => {
   expect(lowest(Float64Array.of(-9, 2, -9, 0, -1, 5, 0, 3, 0))).toBe(-1);
@@ -33,5 +39,19 @@ describe('the range around a curve', () => {
       ]),
     ).toEqual([1, 3]);
     expect(rangeAround([[0, 2]])).toBeUndefined();
+  });
+});
+
+describe('the range of curves that stand still', () => {
+  const flat = [
+    [0, -2],
+    [1, -2 + 2 ** -30],
+  ] as const;
+
+  it('is two units wide', () => expect(rangeOfStill([flat, flat])).toEqual([-3, -1 + 2 ** -30]));
+
+  it('is left to the chart where something moves, or nothing is there', () => {
+    expect(rangeOfStill([flat, [[0, -1]]])).toBeUndefined();
+    expect(rangeOfStill([[], []])).toBeUndefined();
   });
 });

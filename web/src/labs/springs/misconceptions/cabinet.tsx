@@ -59,7 +59,6 @@ export function Cabinet({ run, card, onChoose }: Props) {
           names={[words.stage.right, words.stage.wrong]}
           measure={card.measure}
           movesPins={card.movesPins ?? false}
-          offersLab
         />
         <ExplanationView card={card} />
       </article>

@@ -8,17 +8,25 @@ import { zh } from './zh.ts';
 /** Where there is nothing to say. */
 const none = '–';
 
+interface Props {
+  run: SideBySide;
+  names: readonly [string, string];
+  /** Whether it may show which of the two makes the mistake. */
+  telling: boolean;
+}
+
 /** What both solvers have spent. */
-export function Costs({ run, names }: { run: SideBySide; names: readonly [string, string] }) {
+export function Costs({ run, names, telling }: Props) {
   const words = inLanguage({ en, zh }).counts;
   run.energies.value; // as often as a reader can follow, instead of with every picture
   const states = run.states.peek();
-  const rows: readonly [string, (state: VariantState) => string][] = [
+  const factorising = ({ cost }: VariantState) => (cost ? inMilliseconds(cost.factorising) : none);
+  const rows: [string, (state: VariantState) => string][] = [
     [words.time, ({ milliseconds, failure }) => (failure ? none : inMilliseconds(milliseconds))],
     [words.factorisations, ({ factorisations }) => factorisations.toLocaleString('en')],
-    [words.factorising, ({ cost }) => (cost ? inMilliseconds(cost.factorising) : none)],
     [words.stored, ({ cost }) => entriesOfQ(cost, states)],
   ];
+  if (telling) rows.splice(2, 0, [words.factorising, factorising]);
   return (
     <table class="costs">
       <caption>{words.caption}</caption>

@@ -4,7 +4,7 @@ import type { SideBySide } from '../../../app/side_by_side.ts';
 import { Choice } from '../../../lib/choice.tsx';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
 import { en } from './en.ts';
-import { type Measure, measures, type Point, rangeAround, thinned, total } from './measures.ts';
+import { type Measure, measures, type Point, rangeAround, rangeOfStill, thinned, total } from './measures.ts';
 import { useRecord } from './use_record.ts';
 import { zh } from './zh.ts';
 
@@ -43,7 +43,7 @@ export function Curves({ run, names, initial, explodes, right }: Props) {
       gap,
     ),
   }));
-  const range = explodes ? rangeAround(series[right].points) : undefined;
+  const range = explodes ? rangeAround(series[right].points) : rangeOfStill(series.map(({ points }) => points));
   return (
     <section class="curves">
       <Choice

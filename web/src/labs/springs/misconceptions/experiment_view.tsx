@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { t } from '../../../app/messages/index.ts';
@@ -26,12 +27,14 @@ interface Props {
   /** Shown from the beginning. */
   measure: Measure;
   movesPins: boolean;
-  /** Whether the reader may take the lab's scene instead. */
-  offersLab?: boolean;
+  /** Whether which net makes the mistake is a secret, and with it the scene that shows it best. */
+  secret?: boolean;
+  /** Between the nets and the evidence. */
+  children?: ComponentChildren;
 }
 
 /** Two nets on one clock, what differs between them as curves and numbers, and why one of them stopped. */
-export function ExperimentView({ run, card, order, names, measure, movesPins, offersLab = false }: Props) {
+export function ExperimentView({ run, card, order, names, measure, movesPins, secret = false, children }: Props) {
   const words = inLanguage({ en, zh }).stage;
   const [source, setSource] = useState<'best' | 'lab'>('best');
   const [moving, setMoving] = useState(movesPins);
@@ -51,14 +54,14 @@ export function ExperimentView({ run, card, order, names, measure, movesPins, of
   useMovingPins(run, moving);
 
   return (
-    <div class="experiment">
+    <div class="experiment" id="transport" tabIndex={-1}>
       <Nets run={run} captions={names.map((name) => ({ name }))} />
       <div class="experiment-settings">
         <label>
           <input type="checkbox" checked={moving} onChange={(event) => setMoving(event.currentTarget.checked)} />
           {words.movePins}
         </label>
-        {offersLab && (
+        {!secret && (
           <Choice
             label={words.scene}
             options={[
@@ -73,6 +76,7 @@ export function ExperimentView({ run, card, order, names, measure, movesPins, of
       {source === 'lab' && tooLarge && <p>{fillTemplate(words.tooLarge, { limit: largestScene })}</p>}
       {own && hides(card, own.name) && <p>{words.hides}</p>}
       <Failure run={run} />
+      {children}
       <div class="experiment-evidence">
         <Curves
           run={run}
@@ -81,7 +85,7 @@ export function ExperimentView({ run, card, order, names, measure, movesPins, of
           explodes={card.explodes ?? false}
           right={order.indexOf('right')}
         />
-        <Costs run={run} names={names} />
+        <Costs run={run} names={names} telling={!secret} />
       </div>
     </div>
   );

@@ -37,3 +37,14 @@ export function rangeAround(points: readonly Point[]): readonly [min: number, ma
   const extent = most - least || 1;
   return [least - extent, most + extent];
 }
+
+/** Room for curves that hardly leave one value, whose last digits would fill the whole frame otherwise. */
+export function rangeOfStill(curves: readonly (readonly Point[])[]): readonly [min: number, max: number] | undefined {
+  const values = curves.flat().map(([, value]) => value);
+  if (values.length === 0) return undefined;
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  return most - least < stillness * Math.max(1, Math.abs(most)) ? [least - 1, most + 1] : undefined;
+}
+
+/** Relative, or in metres or joules where the values are small. */
+const stillness = 1e-3;

@@ -44,43 +44,45 @@ export function QuizView({ run, onRead }: Props) {
         names={[fillTemplate(words.stage.net, { net: 'A' }), fillTemplate(words.stage.net, { net: 'B' })]}
         measure="height"
         movesPins={false}
-      />
-      <fieldset class="quiz-choices">
-        <legend>{words.quiz.label}</legend>
-        {choices.map((choice) => (
-          <button
-            key={choice}
-            type="button"
-            aria-disabled={answer !== null}
-            class={answer === null ? '' : verdict(choice, answer, card.mistake)}
-            data-choice={choice}
-            onClick={() => choose(choice)}
-          >
-            <Phrase text={words.cards[choice].title} />
-          </button>
-        ))}
-      </fieldset>
-      <div role="status" class="quiz-answer">
+        secret
+      >
+        <fieldset class="quiz-choices">
+          <legend>{words.quiz.label}</legend>
+          {choices.map((choice) => (
+            <button
+              key={choice}
+              type="button"
+              aria-disabled={answer !== null}
+              class={answer === null ? '' : verdict(choice, answer, card.mistake)}
+              data-choice={choice}
+              onClick={() => choose(choice)}
+            >
+              <Phrase text={words.cards[choice].title} />
+            </button>
+          ))}
+        </fieldset>
+        <div role="status" class="quiz-answer">
+          {answer && (
+            <>
+              <p>
+                <strong>{answer === card.mistake ? words.quiz.rightAnswer : words.quiz.wrongAnswer}</strong>{' '}
+                {fillTemplate(words.quiz.truth, { net: wrongNet })} <Phrase text={words.cards[card.mistake].title} />
+              </p>
+              <Prose text={words.cards[card.mistake].why} />
+            </>
+          )}
+        </div>
         {answer && (
-          <>
-            <p>
-              <strong>{answer === card.mistake ? words.quiz.rightAnswer : words.quiz.wrongAnswer}</strong>{' '}
-              {fillTemplate(words.quiz.truth, { net: wrongNet })} <Phrase text={words.cards[card.mistake].title} />
-            </p>
-            <Prose text={words.cards[card.mistake].why} />
-          </>
+          <p class="quiz-next">
+            <button type="button" class="quiz-go-on" onClick={goOn}>
+              {words.quiz.next}
+            </button>
+            <button type="button" onClick={() => onRead(card)}>
+              {words.quiz.read}
+            </button>
+          </p>
         )}
-      </div>
-      {answer && (
-        <p class="quiz-next">
-          <button type="button" class="quiz-go-on" onClick={goOn}>
-            {words.quiz.next}
-          </button>
-          <button type="button" onClick={() => onRead(card)}>
-            {words.quiz.read}
-          </button>
-        </p>
-      )}
+      </ExperimentView>
     </article>
   );
 }

@@ -15,7 +15,9 @@ export function useRecord(run: SideBySide): { readonly current: readonly NetReco
     () =>
       run.states.subscribe((states) => {
         const step = run.step.peek();
-        if (step === 0 || !states) record.current = (states ?? []).map(() => ({ heights: [], times: [] }));
+        const count = states?.length ?? 0;
+        if (step === 0 || record.current.length !== count)
+          record.current = Array.from({ length: count }, () => ({ heights: [], times: [] }));
         states?.forEach(({ p, milliseconds, failure }, net) => {
           if (failure) return;
           record.current[net].heights.push([step, lowest(p)]);

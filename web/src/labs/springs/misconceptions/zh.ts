@@ -82,7 +82,7 @@ export const zh: Catalogue<typeof en> = {
     'times-swapped': {
       title: raw`$\sympCurr$ 与 $\sympPrev$ 写反了`,
       symptom: raw`网在抖动：每过一个时间步就反向运动，幅度大约加倍。三十个时间步左右之后，它已在一百万米之外。`,
-      why: raw`自由运动的质点应当到达 $2\sympCurr - \sympPrev$，这里却到达 $2\sympPrev - \sympCurr$：每个时间步速度都反向并加倍（$\lambda^2 + \lambda - 2 = 0$ 的解是 $1$ 和 $-2$）。相对时间步来说足够硬的弹簧能顶住它：**在塔这个场景里什么也看不出来**。`,
+      why: raw`自由运动的质点应当到达 $2\sympCurr - \sympPrev$，这里却到达 $2\sympPrev - \sympCurr$：每个时间步速度都反向并加倍（$\lambda^2 + \lambda - 2 = 0$ 的解是 $1$ 和 $-2$）。相对时间步来说足够硬的弹簧能顶住它：**在“塔架”场景里什么也看不出来**。`,
       fix: raw`$\sympCurr$ 是现在，$\sympPrev$ 是之前：$2\sympCurr - \sympPrev$ 指向前方。时间步结束时，先 $\sympPrev \leftarrow \sympCurr$，再 $\sympCurr \leftarrow \symp$。`,
     },
     'rest-for-targets': {
@@ -111,7 +111,7 @@ export const zh: Catalogue<typeof en> = {
     },
     'stored-zeros': {
       title: raw`三元组里有零`,
-      symptom: raw`画面正确，但是很慢。对塔来说，$\symQ$ 存储 43,681 个元素，而不是 1,745 个；$\symL$ 存储 21,945 个，而不是 3,183 个。换成旗帜就是 1100 万个。`,
+      symptom: raw`画面正确，但是很慢。对塔架来说，$\symQ$ 存储 43,681 个元素，而不是 1,745 个；$\symL$ 存储 21,945 个，而不是 3,183 个。换成旗帜就是 1100 万个。`,
       why: raw`对所有质点对循环，没有弹簧的地方也加进了三元组。稀疏矩阵给什么就存什么，数 0 也照存；而分解只看**存了**什么。在它看来人人都相邻，任何消元顺序都不再有用。`,
       fix: raw`只为确实存在的东西建立三元组：每根弹簧四个，每个质量一个，每个固定点一个。`,
     },
