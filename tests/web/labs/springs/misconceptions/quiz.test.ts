@@ -39,8 +39,8 @@ describe('questions', () => {
         const { choices } = questionOn(card, random);
         expect(new Set(choices).size).toBe(choiceCount);
         expect(choices).toContain(card.mistake);
-        const twin = { 'd-once': 'one-iteration', 'one-iteration': 'd-once' }[card.mistake as string];
-        expect(choices).not.toContain(twin);
+        const alike = choices.filter((choice) => choice === 'd-once' || choice === 'one-iteration');
+        expect(alike.length).toBeLessThan(2);
       }),
     );
   });

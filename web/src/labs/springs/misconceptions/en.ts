@@ -18,13 +18,11 @@ Ten mistakes that students really make, each made by a solver of its own beside 
     tooLarge: 'The lab’s scene has more than {{limit}} vertices: too many for the slow ones of these mistakes.',
   },
   failure: {
-    title: 'Stopped, and this is why',
     nonFinite:
-      'Vertex {{vertex}} became non-finite ({{value}}) in time step {{step}}, half-step {{half}}({{iteration}}).',
+      'Stopped: vertex {{vertex}} became non-finite ({{value}}) in time step {{step}}, half-step {{half}}({{iteration}}). Shown is the moment before.',
     tooFar:
-      'Vertex {{vertex}} went out of reach ({{value}} m) in time step {{step}}, half-step {{half}}({{iteration}}); a few time steps more, and the number would be infinite.',
-    other: 'The solver refused: {{sentence}}.',
-    before: 'You see the last positions before that. The right net runs on.',
+      'Stopped: vertex {{vertex}} went out of reach ({{value}} m) in time step {{step}}, half-step {{half}}({{iteration}}). Shown is the moment before.',
+    other: 'Stopped in time step {{step}}: {{sentence}}.',
   },
   measures: {
     label: 'What is plotted',

@@ -33,7 +33,7 @@ interface Props {
   children?: ComponentChildren;
 }
 
-/** Two nets on one clock, what differs between them as curves and numbers, and why one of them stopped. */
+/** Two nets on one clock, and what differs between them as curves and numbers. */
 export function ExperimentView({ run, card, order, names, measure, movesPins, secret = false, children }: Props) {
   const words = inLanguage({ en, zh }).stage;
   const [source, setSource] = useState<'best' | 'lab'>('best');
@@ -55,7 +55,7 @@ export function ExperimentView({ run, card, order, names, measure, movesPins, se
 
   return (
     <div class="experiment" id="transport" tabIndex={-1}>
-      <Nets run={run} captions={names.map((name) => ({ name }))} />
+      <Nets run={run} captions={names.map((name, net) => ({ name, note: <Failure run={run} net={net} /> }))} />
       <div class="experiment-settings">
         <label>
           <input type="checkbox" checked={moving} onChange={(event) => setMoving(event.currentTarget.checked)} />
@@ -75,7 +75,6 @@ export function ExperimentView({ run, card, order, names, measure, movesPins, se
       </div>
       {source === 'lab' && tooLarge && <p>{fillTemplate(words.tooLarge, { limit: largestScene })}</p>}
       {own && hides(card, own.name) && <p>{words.hides}</p>}
-      <Failure run={run} />
       {children}
       <div class="experiment-evidence">
         <Curves

@@ -8,18 +8,19 @@ import type { VariantState } from '../../../solver/side_by_side.ts';
 import { en } from './en.ts';
 import { zh } from './zh.ts';
 
+interface Props {
+  run: SideBySide;
+  /** Which of the nets. */
+  net: number;
+}
+
 /** Why a net stands still: which vertex, in which time step and half-step. Its place is there before, so that it is read out when it fills. */
-export function Failure({ run }: { run: SideBySide }) {
-  const words = inLanguage({ en, zh }).failure;
-  const failure = run.states.value?.find((state) => state.failure)?.failure;
+export function Failure({ run, net }: Props) {
+  const failure = run.states.value?.[net]?.failure;
   return (
-    <div class="failure" role="status">
-      {failure && (
-        <>
-          <strong>{words.title}.</strong> {sentence(failure)} {words.before}
-        </>
-      )}
-    </div>
+    <span class="failure" role="status">
+      {failure && sentence(failure)}
+    </span>
   );
 }
 
@@ -27,7 +28,7 @@ function sentence({ status, step, half_step }: NonNullable<VariantState['failure
   const words = inLanguage({ en, zh }).failure;
   const { code, field, index, value } = status;
   if (code !== 'diverged' || field !== 'p' || half_step === null)
-    return fillTemplate(words.other, { sentence: describeStatus(status) });
+    return fillTemplate(words.other, { step, sentence: describeStatus(status) });
   return fillTemplate(Number.isFinite(value) ? words.tooFar : words.nonFinite, {
     vertex: index,
     value: Number.isFinite(value) ? formatNumber(value) : String(value),

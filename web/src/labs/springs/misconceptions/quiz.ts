@@ -10,8 +10,8 @@ export interface Question {
 
 export const choiceCount = 4;
 
-/** Mistakes that nobody can tell apart by looking, since they make the same positions. */
-const alike: readonly (readonly Shown[])[] = [['d-once', 'one-iteration']];
+/** Mistakes that nobody can tell apart by looking, since they make the same positions: one of them at most is offered. */
+const alike: readonly Shown[] = ['d-once', 'one-iteration'];
 
 /** In [0, 1), as Math.random. */
 export type Random = () => number;
@@ -23,13 +23,15 @@ export function shuffledCards(random: Random, last: Shown | null = null): Card[]
 }
 
 export function questionOn(card: Card, random: Random): Question {
-  const twins = alike.find((group) => group.includes(card.mistake)) ?? [card.mistake];
-  const others = cards.map(({ mistake }) => mistake).filter((mistake) => !twins.includes(mistake));
-  const distractors = shuffled(others, random).slice(0, choiceCount - 1);
+  const offered: Shown[] = [card.mistake];
+  for (const { mistake } of shuffled(cards, random)) {
+    const isAlike = alike.includes(mistake) && offered.some((other) => alike.includes(other));
+    if (offered.length < choiceCount && !offered.includes(mistake) && !isAlike) offered.push(mistake);
+  }
   return {
     card,
     wrongNet: random() < 0.5 ? 'A' : 'B',
-    choices: shuffled([card.mistake, ...distractors], random),
+    choices: shuffled(offered, random),
   };
 }
 

@@ -21,13 +21,11 @@ export const zh: Catalogue<typeof en> = {
     tooLarge: '实验室当前的场景超过 {{limit}} 个质点：对其中较慢的几个错误来说太大了。',
   },
   failure: {
-    title: '已停止，原因如下',
     nonFinite:
-      '质点 {{vertex}} 的坐标在第 {{step}} 个时间步的半步 {{half}}({{iteration}}) 中不再是有限数（{{value}}）。',
+      '已停止：质点 {{vertex}} 的坐标在第 {{step}} 个时间步的半步“{{half}}({{iteration}})”中不再是有限数（{{value}}）。图中是此前的位置。',
     tooFar:
-      '质点 {{vertex}} 在第 {{step}} 个时间步的半步 {{half}}({{iteration}}) 中飞出了允许的范围（{{value}} m）；再过几个时间步，这个数就会变成无穷大。',
-    other: '求解器拒绝执行：{{sentence}}。',
-    before: '现在显示的是在此之前最后的位置。正确的网继续运动。',
+      '已停止：质点 {{vertex}} 在第 {{step}} 个时间步的半步“{{half}}({{iteration}})”中飞出了允许的范围（{{value}} m）。图中是此前的位置。',
+    other: '已在第 {{step}} 个时间步停止：{{sentence}}。',
   },
   measures: {
     label: '曲线显示什么',
