@@ -114,7 +114,7 @@ Ten mistakes that students really make, each made by a solver of its own beside 
       title: raw`One iteration, and it looks damped`,
       symptom: raw`The pendulum creeps to rest. Of the 10.3 J that it could lose at most, one iteration loses 9.4 J in the first second; fifty lose 4.4 J and swing.`,
       why: raw`After one iteration the springs still aim at the directions of $\sympCurr$, so they resist every turn. It looks like friction, but no formula contains any: it is **the error of a solver that stopped too early**. (Fifty also lose some energy: that is the damping of implicit Euler itself.)`,
-      fix: raw`More iterations, or a method that needs fewer: the room of convergence compares them.`,
+      fix: raw`More iterations, or a method that needs fewer: [the room of convergence](springs/convergence) compares them.`,
     },
   },
   quiz: {
