@@ -18,6 +18,17 @@ for (const size of sizes)
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(size.width);
   });
 
+for (const size of sizes.slice(0, 2))
+  test(`${size.width}×${size.height}: nothing of the equations lies under the clock`, async ({ page }) => {
+    await page.setViewportSize(size);
+    await open(page, './#/springs?scene="net"');
+    const clock = await page.locator('.transport').boundingBox();
+    for (const half of ['local', 'global']) {
+      const last = await page.locator(`.half-${half} .in-code summary`).boundingBox();
+      expect((last?.y ?? 0) + (last?.height ?? 0)).toBeLessThanOrEqual(clock?.y ?? 0);
+    }
+  });
+
 test('on a projector the type is 18 px at least and the clock stays in sight', async ({ page }) => {
   await page.setViewportSize({ width: 1280, height: 720 });
   await open(page);

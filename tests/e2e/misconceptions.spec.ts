@@ -7,7 +7,7 @@ import { expect, expectReady, open, test } from './support/page.ts';
 test.use({ bypassCSP: true }); // for axe, see support/axe.ts
 
 const room = (language: 'en' | 'zh') => `#/springs/misconceptions?language="${language}"`;
-const card = (page: Page, mistake: string) => page.locator(`.card[data-mistake="${mistake}"]`);
+const card = (page: Page, mistake: string) => page.locator(`.mistake[data-mistake="${mistake}"]`);
 
 /** The clock of both nets has gone so far. */
 async function expectSteps(page: Page, steps: number): Promise<void> {

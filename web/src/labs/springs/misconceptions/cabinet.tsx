@@ -45,7 +45,7 @@ export function Cabinet({ run, card, onChoose }: Props) {
           </button>
         ))}
       </fieldset>
-      <article class="card" data-mistake={card.mistake}>
+      <article class="mistake" data-mistake={card.mistake}>
         <h3>
           <Phrase text={text.title} />
         </h3>
