@@ -19,7 +19,10 @@ import './convergence.css';
 /** How far each method comes in one time step, where it stops and why no farther, and what a step leaves undone. */
 export function ConvergenceRoom({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh });
-  useEffect(() => actions.pause(), [actions]); // one time step is looked at
+  useEffect(() => {
+    actions.pause(); // one time step is looked at
+    document.body.dataset.ready = 'true';
+  }, [actions]);
   return (
     <main class="room convergence-room" ref={holds(labFigure)}>
       <header>
