@@ -49,7 +49,7 @@ export function Cabinet({ run, card, onChoose }: Props) {
         <h3>
           <Phrase text={text.title} />
         </h3>
-        <div class="card-symptom">
+        <div class="mistake-symptom">
           <Prose text={text.symptom} />
         </div>
         <ExperimentView
