@@ -98,7 +98,7 @@ test('both lines of time are scrubbed with the keyboard', async ({ page }) => {
 
 test('few and many iterations run side by side', async ({ page }) => {
   await openRoom(page);
-  await page.getByRole('button', { name: 'Let it go with 1, 10 and 50 iterations' }).click();
+  await page.getByRole('button', { name: 'Let them go, with 1, 10 and 50 iterations' }).click();
   for (const K of [1, 10, 50]) await expect(page.getByRole('heading', { name: `K = ${K}`, exact: true })).toBeVisible();
   await expect(page.getByRole('img', { name: /^The total energy over time/ })).toBeVisible();
 });

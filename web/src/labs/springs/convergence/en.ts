@@ -65,11 +65,11 @@ export const en = {
       there is no friction in any formula, and yet the net sinks “as if embedded in peanut butter”.
       Implicit Euler damps by itself, too: on the net, that is all that $K = 50$ still loses.
 
-      Let the scene of the lab go at rest, with its present parameters, and look at what is left of the energy. Drag a pin: it
-      moves in all three.
+      Let three copies go on from the lab’s present moment, and look at what is left of the energy. Drag a pin: it moves in all
+      three. Reset the lab first to see them start at rest.
     `,
-    start: 'Let it go with 1, 10 and 50 iterations',
-    again: 'Again, with the present scene and parameters',
+    start: 'Let them go, with 1, 10 and 50 iterations',
+    again: 'Again, from the lab’s present moment',
     count: 'K = {{iterations}}',
     note: 'energy of motion {{kinetic}}',
     energy: 'Energy of motion, springs and outer forces together, J',

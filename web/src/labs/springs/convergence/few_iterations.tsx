@@ -1,4 +1,5 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
+import { labMoment } from '../../../app/lab_moment.ts';
 import { type MessageKey, t } from '../../../app/messages/index.ts';
 import { refusalParams } from '../../../app/refusal_params.ts';
 import { SideBySide } from '../../../app/side_by_side.ts';
@@ -19,7 +20,7 @@ const counts = [1, 10, 50];
 /** Time steps that the chart shows: the latest. */
 const shownSteps = 300;
 
-/** The lab's scene let go at rest with few and with many iterations a time step, on one clock and under one drag. */
+/** The lab's simulation going on from its present moment with few and with many iterations a time step, on one clock and under one drag. */
 export function FewIterations({ words }: { words: Words }) {
   const run = useMemo(() => new SideBySide(), []);
   useEffect(() => run.follow(), [run]);
@@ -27,7 +28,7 @@ export function FewIterations({ words }: { words: Words }) {
   const states = run.states.value;
   const start = async () => {
     run.playing.value = false;
-    const common = { scene: scene.value, pins: pins.value, from: null };
+    const common = { scene: scene.value, pins: pins.value, from: labMoment() };
     const variants = variantsOf();
     if (!(await run.open(variants, common))) return;
     setDeltaT(variants[0].parameters.delta_t);

@@ -1,3 +1,4 @@
+import { labMoment } from '../../../app/lab_moment.ts';
 import { reducedMotion } from '../../../app/preferences.ts';
 import { findScene } from '../../../app/scene_library.ts';
 import type { CommonStart, SideBySide } from '../../../app/side_by_side.ts';
@@ -15,8 +16,8 @@ export const largestScene = 1200;
 export type Order = readonly ['right', 'wrong'] | readonly ['wrong', 'right'];
 
 /**
- * Opens both simulations at rest; they move at once, unless the reader's system asks for less motion.
- * `own`: the lab's scene, with the lab's parameters and pins; null for the scene that shows the mistake best.
+ * Opens both simulations; they move at once, unless the reader's system asks for less motion.
+ * `own`: the lab's scene at its present moment, with its parameters and pins; null for the scene that shows the mistake best, at rest.
  */
 export async function openExperiment(
   run: SideBySide,
@@ -40,7 +41,7 @@ async function best(card: Card): Promise<[CommonStart, Parameters]> {
 }
 
 function lab(scene: Scene): [CommonStart, Parameters] {
-  return [{ scene, pins: labPins.peek(), from: null }, plain(labParameters.peek())];
+  return [{ scene, pins: labPins.peek(), from: labMoment() }, plain(labParameters.peek())];
 }
 
 /** As the solver with the mistake computes: without it, both would make the same bits. */
