@@ -102,7 +102,7 @@ for (const id of sectionIds)
       await figure.scrollIntoViewIfNeeded();
       await expect(figure).toHaveAttribute('data-ready', 'true');
       await operate(page, figure);
-      for (const stepper of await figure.locator('.figure-transport:has(output)').all())
+      for (const stepper of await figure.locator('.stepper').all())
         await changing(figure, () => stepThrough(stepper));
       await choose(figure);
     }
@@ -141,7 +141,7 @@ test('one spring alone has an energy with two wells, and every slip in print ano
 
 test('experiments that run by themselves draw and write what comes of them', async ({ page }) => {
   await openUnfolded(page, 'trick');
-  const charts = page.locator('.question > details > .line-chart');
+  const charts = page.locator('.question > details > .figure > .line-chart');
   await expect(charts.first().locator('g.curve path[d*="L"]')).toHaveCount(4);
   await expect(charts.last().locator('g.curve circle')).toHaveCount(7);
   await openUnfolded(page, 'sparse');
