@@ -95,10 +95,11 @@ test('everything in a figure can be done with the keyboard alone', async ({ page
 
 test('the keyboard goes from the top of a section to the next one', async ({ page }) => {
   await open(page, lesson('trick'));
-  const reached = new Set<string>();
-  for (let press = 0; press < 120 && !reached.has('Next Matrices'); press++) {
+  await expect(page.locator('.sources')).toBeVisible(); // what comes last
+  const reached: string[] = [];
+  while (reached.length < 120 && !reached.includes('Next Matrices')) {
     await page.keyboard.press('Tab');
-    reached.add(
+    reached.push(
       await page.evaluate(() => {
         const { activeElement } = document;
         return (activeElement?.getAttribute('aria-label') ?? activeElement?.textContent ?? '').trim();
@@ -107,9 +108,14 @@ test('the keyboard goes from the top of a section to the next one', async ({ pag
   }
   for (const name of ['Skip to the text', 'Matrices', 'd projected springs', 'Half-step forward', 'A hint'])
     expect(
-      [...reached].some((one) => one.endsWith(name)),
+      reached.some((one) => one.endsWith(name)),
       name,
     ).toBe(true);
+  for (const things of ['Springs', 'Vertices']) {
+    const stops = reached.filter((name) => name.startsWith(things === 'Springs' ? 'Spring ' : 'Vertex ')).length;
+    expect(stops, `${things}: one tab stop a picture`).toBeGreaterThan(0);
+    expect(stops).toBeLessThanOrEqual(await page.getByRole('listbox', { name: things }).count());
+  }
   await page.keyboard.press('Enter');
   await expect(page.getByRole('heading', { level: 2 })).toHaveText('Matrices');
   await expect(page.getByRole('heading', { level: 2 })).toBeFocused();

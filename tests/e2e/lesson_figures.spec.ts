@@ -102,8 +102,7 @@ for (const id of sectionIds)
       await figure.scrollIntoViewIfNeeded();
       await expect(figure).toHaveAttribute('data-ready', 'true');
       await operate(page, figure);
-      for (const stepper of await figure.locator('.stepper').all())
-        await changing(figure, () => stepThrough(stepper));
+      for (const stepper of await figure.locator('.stepper').all()) await changing(figure, () => stepThrough(stepper));
       await choose(figure);
     }
   });

@@ -51,7 +51,7 @@ export function SpringList({ figure, ends, net, plane }: Props) {
             data-spring={e}
             aria-describedby={cardId}
             role="option"
-            tabIndex={e === (selected ?? 0) ? 0 : -1}
+            tabindex={e === (selected ?? 0) ? 0 : -1}
             aria-selected={e === selected}
             aria-label={label}
             onFocus={() => figure.selectSpring(e)}

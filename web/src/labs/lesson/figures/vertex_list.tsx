@@ -35,7 +35,7 @@ export function VertexList({ figure, p, plane }: Props) {
             data-vertex={i}
             aria-describedby={cardId}
             role="option"
-            tabIndex={i === (selected ?? 0) ? 0 : -1}
+            tabindex={i === (selected ?? 0) ? 0 : -1}
             aria-selected={i === selected}
             aria-label={fillTemplate(words.vertex, { i })}
             onFocus={() => figure.selectVertex(i)}
