@@ -1,9 +1,6 @@
 import type { StorageComparison, StorageCost } from './matrices.ts';
+import { medianTime } from './median_time.ts';
 import type { Simulation, SolvingExample } from './module.ts';
-import { timeOf } from './time_of.ts';
-
-/** ms. In a page the clock ticks every 0.1 ms. */
-const leastTimed_ms = 2;
 
 /** Unknowns. Of so many a dense factorisation takes some tenths of a second, and of twice as many eight times that. */
 const largestDense = 1000;
@@ -30,9 +27,6 @@ type Times = Pick<StorageCost, 'factorise' | 'substitute'>;
 const untried: Times = { factorise: null, substitute: null };
 
 function timed(example: SolvingExample, storage: 'dense' | 'sparse'): Times {
-  const timeOfCall = (call: 'factorise' | 'substitute') =>
-    timeOf((times) => {
-      for (let time = 0; time < times; time++) example[`${storage}_${call}`]();
-    }, leastTimed_ms);
+  const timeOfCall = (call: 'factorise' | 'substitute') => medianTime(() => example[`${storage}_${call}`]());
   return { factorise: timeOfCall('factorise'), substitute: timeOfCall('substitute') };
 }

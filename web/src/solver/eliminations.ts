@@ -1,10 +1,7 @@
 import type { Elimination, EliminationStep, EliminationStepRequest, Factor } from './matrices.ts';
+import { medianTime } from './median_time.ts';
 import type { Elimination as EliminationOfModule, Ordering, Simulation } from './module.ts';
 import type { Outcome } from './protocol.ts';
-import { timeOf } from './time_of.ts';
-
-/** ms. In a page the clock ticks every 0.1 ms. */
-const leastTimed_ms = 2;
 
 /** All about one order; its L only where it does not take too long. */
 export function readElimination(simulation: Simulation, ordering: Ordering): Elimination {
@@ -36,10 +33,7 @@ export function readEliminationStep(
 function factorOf(elimination: EliminationOfModule): Factor | null {
   const { status, ...entries } = elimination.after(elimination.order().length);
   if (status.code !== 'ok') return null;
-  const milliseconds = timeOf((times) => {
-    for (let time = 0; time < times; time++) elimination.factorise();
-  }, leastTimed_ms);
-  return { ...entries, milliseconds };
+  return { ...entries, milliseconds: medianTime(() => elimination.factorise()) };
 }
 
 function withElimination<T>(

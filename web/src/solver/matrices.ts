@@ -57,7 +57,7 @@ export interface EliminatedEntries extends Triplets {
 /** L, P Q Pᵀ = L Lᵀ, N^½ m^−½. */
 export interface Factor extends EliminatedEntries {
   /**
-   * Wall-clock ms of one factorisation in this order, by the same algorithm for all orders (Eigen's SimplicialLLT); finding the order is not part
+   * Wall-clock ms of one factorisation in this order, the median of a few, by the same algorithm for all orders (Eigen's SimplicialLLT); finding the order is not part
    * of it. The running solver has an algorithm of its own.
    */
   milliseconds: number;
@@ -78,7 +78,7 @@ export interface EliminationStep extends EliminationStepRequest {
   entries: EliminatedEntries;
 }
 
-/** One way to store the system of `Matrices.unknowns` and to solve it. */
+/** One way to store the system of `Matrices.unknowns` and to solve it. Times are medians of a few runs. */
 export interface StorageCost {
   /** Of Q, and of its factor L as this storage keeps them. */
   bytesOfQ: number;
