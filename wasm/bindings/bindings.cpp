@@ -68,20 +68,17 @@ void set_path(Parameters& parameters, const std::string& name) {
 const std::string& method(const Parameters& parameters) {
   return method_names()[static_cast<int>(parameters.method)];
 }
-// The types of module.ts let no other names through.
-Method method_of(const std::string& name) {
-  const auto& names = method_names();
+
+/// The enumerator of that name, or the first: the types of module.ts let no other names through.
+template <typename Enum>
+Enum named(const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? Method::local_global : static_cast<Method>(found - names.begin());
-}
-void set_method(Parameters& parameters, const std::string& name) {
-  parameters.method = method_of(name);
+  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
 }
 
-Mistake mistake_of(const std::string& name) {
-  const auto& names = mistake_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? Mistake::none : static_cast<Mistake>(found - names.begin());
+Method method_of(const std::string& name) { return named<Method>(name, method_names()); }
+void set_method(Parameters& parameters, const std::string& name) {
+  parameters.method = method_of(name);
 }
 
 std::string stop_reason(const Simulation& simulation) {
@@ -129,15 +126,9 @@ val terms_of_Q(const Simulation& simulation) {
   return object;
 }
 
-// The types of module.ts let no other names through.
-Ordering ordering_of(const std::string& name) {
-  const auto& names = ordering_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? Ordering::natural : static_cast<Ordering>(found - names.begin());
-}
-
 std::vector<int> order(const Simulation& simulation, const std::string& ordering) {
-  return ordered_unknowns(ordering_of(ordering), simulation.Q(), simulation.order());
+  return ordered_unknowns(named<Ordering>(ordering, ordering_names()), simulation.Q(),
+                          simulation.order());
 }
 
 // Whoever asked for one of these two deletes it.
@@ -348,7 +339,7 @@ EMSCRIPTEN_BINDINGS(solver) {
           +[](F& s, val V, val E, val m, val pinned, const Parameters& parameters,
               const std::string& mistake) {
             return s.set_scene(doubles(V), ints(E), doubles(m), ints(pinned), parameters,
-                               mistake_of(mistake));
+                               named<Mistake>(mistake, mistake_names()));
           })
       .function("set_parameters", &F::set_parameters)
       .function(
