@@ -1,4 +1,4 @@
-import { beforeEach, expect, onTestFinished, test } from 'vitest';
+import { beforeEach, expect, onTestFinished, test, vi } from 'vitest';
 import { notices } from '../../../web/src/app/notices.ts';
 import { SideBySide } from '../../../web/src/app/side_by_side.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
@@ -92,4 +92,20 @@ test('a worker that breaks is ended and said, and the next opening finds a new o
   expect(notices.value).toMatchObject([{ key: 'page.errors.crash' }]);
   expect(await run.open(variants, { scene, pins, from: null })).toBe(true);
   expect(workers).toHaveLength(2);
+});
+
+test('what still waits when the reader leaves finds no new worker; what is asked after coming back does', async () => {
+  vi.stubGlobal('cancelAnimationFrame', () => {});
+  onTestFinished(() => vi.unstubAllGlobals());
+  const run = newRun();
+  const leave = run.follow();
+  const opened = [1, 2].map(() => run.open(variants, { scene, pins, from: null }));
+  await Promise.resolve(); // the first one is at work
+  leave();
+  expect(await Promise.all(opened)).toEqual([false, false]);
+  expect(workers.every(({ ended }) => ended)).toBe(true);
+  expect(run.states.value).toBeNull();
+  expect(notices.value).toEqual([]);
+  expect(await run.open(variants, { scene, pins, from: null })).toBe(true);
+  expect(workers.filter(({ ended }) => !ended)).toHaveLength(1);
 });

@@ -58,6 +58,8 @@ export class SideBySide {
   /** Requests take turns. */
   private last: Promise<unknown> = Promise.resolve();
   private waiting = 0;
+  /** How often the reader has left. What was asked before is not to find a new worker afterwards, which nobody would end. */
+  private departures = 0;
 
   constructor(createWorker: () => Worker = sideBySideWorker, wasmBinary: () => Promise<ArrayBuffer> = fetchSolver) {
     this.createWorker = createWorker;
@@ -82,6 +84,7 @@ export class SideBySide {
     return () => {
       stop();
       cancelAnimationFrame(asked);
+      this.departures += 1;
       this.end();
     };
   }
@@ -160,16 +163,21 @@ export class SideBySide {
     this.energies.value = this.history.map((curve) => curve.slice());
   }
 
-  /** Null when there was no answer, after a word about it; the next request finds a new worker. */
+  /** Null when there was no answer, after a word about it unless the reader has left; the next request finds a new worker. */
   private ask<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
     this.waiting += 1;
-    const turn = this.last.then(() => this.askNow(request));
+    const { departures } = this;
+    const turn = this.last.then(() => this.askNow(request, departures));
     this.last = turn;
     return turn;
   }
 
-  private async askNow<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
+  private async askNow<T>(
+    request: (service: Remote<SideBySideService>) => Promise<T>,
+    departures: number,
+  ): Promise<T | null> {
     try {
+      if (departures !== this.departures) return null;
       this.crew ??= this.hire();
       return await Promise.race([this.crew.service.then(request), this.crew.lost]);
     } catch (reason) {
