@@ -167,6 +167,28 @@ describe('the solver’s client', () => {
     expect(await client.run(request(5, 'next_step'))).toMatchObject({ ok: true, value: { checkpoint: { step: 3 } } });
   });
 
+  it('leaves no worker behind when it is ended, between requests or in one', async () => {
+    const client = newClient();
+    await client.open(problem, request(1));
+    client.end();
+    expect(workers.map(({ ended }) => ended)).toEqual([true]);
+    await expect(client.run(request(1))).rejects.toThrow(SolverCancelled);
+
+    const other = newClient();
+    await other.open(problem, request(1));
+    const asked = other.run(request(99));
+    await turn();
+    other.end();
+    await expect(asked).rejects.toThrow(SolverCancelled);
+    expect(workers.map(({ ended }) => ended)).toEqual([true, true]);
+
+    const third = newClient();
+    const opening = third.open(problem, request(1));
+    third.end(); // while the solver's file is still on its way
+    await expect(opening).rejects.toThrow(SolverCancelled);
+    expect(workers.map(({ ended }) => ended)).toEqual([true, true, true]);
+  });
+
   it('has nothing to give up between requests', async () => {
     const client = newClient();
     await client.open(problem, request(1));

@@ -47,6 +47,7 @@ export class SolverClient {
   /** Ends the wait for the worker's answer; null while nothing is awaited. */
   private giveUp: ((reason: Error) => void) | null = null;
   private patience: ReturnType<typeof setTimeout> | undefined;
+  private ended = false;
   private lastGood: { problem: Problem; request: Request; checkpoint: Checkpoint } | null = null;
 
   private readonly options: SolverClientOptions;
@@ -108,6 +109,13 @@ export class SolverClient {
     this.giveUp?.(new SolverCancelled());
   }
 
+  /** Ends the worker, and with it the request in flight, which is cancelled. Nothing can be asked afterwards. */
+  end(): void {
+    this.ended = true;
+    this.cancel();
+    this.stop();
+  }
+
   private async guarded<T>(call: (service: SolverService) => Promise<T>): Promise<T> {
     try {
       return await this.untilFailure(call(await this.ready()));
@@ -154,10 +162,13 @@ export class SolverClient {
 
   /** In a new worker, with the last good state open in it. */
   private async newService(): Promise<SolverService> {
+    if (this.ended) throw new SolverCancelled();
     this.worker = this.startWorker();
     // Every method of the service is asynchronous already; comlink's Remote type would split its unions.
     const service = wrap(this.worker) as unknown as SolverService;
-    await this.untilFailure(service.start(await this.options.wasmBinary()));
+    const wasmBinary = await this.options.wasmBinary();
+    if (this.ended) throw new SolverCancelled(); // meanwhile, and the worker with it
+    await this.untilFailure(service.start(wasmBinary));
     if (this.lastGood) {
       const { problem, request, checkpoint } = this.lastGood;
       const restored: Request = { ...request, command: { kind: 'stay' }, wholeTrace: false, profile: false };

@@ -4,6 +4,7 @@ import { t } from '../../../app/messages/index.ts';
 import { Obstacle } from '../../../app/obstacle.ts';
 import { frame, parameters, pins, scene } from '../../../app/state.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
+import { SolverCancelled } from '../../../solver/client.ts';
 import type { Frame } from '../../../solver/frame.ts';
 import { Prose } from '../../../views/equations/prose.tsx';
 import { roomWords } from './room_words.ts';
@@ -40,6 +41,7 @@ export function Ledger() {
       const result = await trials.run(name, { scene: scene.value, parameters: parameters.value, pins: pins.value });
       note(name, { result, failure: '' });
     } catch (reason) {
+      if (reason instanceof SolverCancelled) return; // the reader has left
       const text = reason instanceof Obstacle ? t(reason.key, reason.params) : (reason as Error).message;
       note(name, { failure: text });
     } finally {

@@ -60,9 +60,9 @@ export class Trials {
     return { before: opened.frame.factorisations.count, after: count, reason };
   }
 
-  /** A simulation at work ends with it. */
+  /** A simulation at work ends with it: its run() throws SolverCancelled. */
   dispose(): void {
-    this.client.cancel();
+    this.client.end();
   }
 }
 
