@@ -384,6 +384,21 @@ describe('the session', () => {
       expect(eliminationStep.value?.columns).toBe(5);
     });
 
+    it('asks for nothing that was given up, but for another wish again', async () => {
+      open();
+      wish(1);
+      await turn();
+      client.mayCompare = Promise.reject(new SolverCancelled());
+      wish(2);
+      await turn();
+      client.mayCompare = Promise.resolve();
+      await turn();
+      expect(client.asked.slice(-2)).toEqual([1, 2]);
+      wish(3);
+      await turn();
+      expect(client.asked.slice(-3)).toEqual([1, 2, 3]);
+    });
+
     it('waits while the clock runs', async () => {
       playing.value = true;
       setK(30); // matrices of which nothing is known yet

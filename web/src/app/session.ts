@@ -7,7 +7,7 @@ import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
 import { notifyRefusal } from './explanation.ts';
-import { answered, askMatrices, linearSystem, type MatrixQuestion, missingMatrices } from './matrices.ts';
+import { answered, askMatrices, linearSystem, type MatrixQuestion, matrixWishes, missingMatrices } from './matrices.ts';
 import { iterationTime, playedStep } from './measurements.ts';
 import { notify } from './notices.ts';
 import {
@@ -72,6 +72,10 @@ export class Session {
         if (!playing.value) frame.value = liveFrame.value;
         void this.pump();
       });
+    });
+    effect(() => {
+      void matrixWishes.value; // another wish is not what was given up
+      this.halted = false;
     });
     effect(() => {
       if (missingMethod.value || missingMatrices.value) untracked(() => void this.pump());
