@@ -65,7 +65,7 @@ export interface MistakenSimulation {
   /** As Simulation's: of the settled positions. */
   energy(): MechanicalEnergy;
 
-  /** Of Q, since set_scene. */
+  /** Of Q, since the simulation was made; those of calls that failed count too. */
   factorisation_count(): number;
   /** s: how long all of them took. */
   factorisation_time(): number;
