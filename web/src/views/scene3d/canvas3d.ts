@@ -158,10 +158,12 @@ export class Canvas3D {
     return Number.isNaN(x) ? null : { x, y };
   }
 
+  /** Of the canvas no other use can be made afterwards. */
   dispose(): void {
     this.stop.abort();
     this.interaction.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // a page has sixteen contexts or so, and rooms come and go faster than garbage is collected
   }
 
   private drawn(): Picture | null {

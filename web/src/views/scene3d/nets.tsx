@@ -83,7 +83,7 @@ export function Nets({ run, captions }: Props) {
   return (
     <div class="nets" data-step={run.step.value}>
       <div class="nets-views" style={{ '--nets': count }}>
-        <canvas ref={canvas} class="nets-canvas" aria-label={t('page.nets.label')} role="img" />
+        <canvas key={count} ref={canvas} class="nets-canvas" aria-label={t('page.nets.label')} role="img" />
         {captions.map(({ name, note }) => (
           <section key={name} class="net">
             <h4>{name}</h4>
