@@ -96,7 +96,7 @@ test('a worker that breaks is ended and said, and the next opening finds a new o
 
 test('what still waits when the reader leaves finds no new worker; what is asked after coming back does', async () => {
   vi.stubGlobal('cancelAnimationFrame', () => {});
-  onTestFinished(() => vi.unstubAllGlobals());
+  onTestFinished(() => void vi.unstubAllGlobals());
   const run = newRun();
   const leave = run.follow();
   const opened = [1, 2].map(() => run.open(variants, { scene, pins, from: null }));
