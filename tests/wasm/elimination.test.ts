@@ -78,7 +78,7 @@ describe('the elimination', () => {
           });
         },
       ),
-      { seed: 4, numRuns: 20 }, // each is also timed, for some 40 ms
+      { seed: 4, numRuns: 20 }, // each is also timed, for some 50 ms
     );
   });
 
