@@ -77,7 +77,8 @@ test('d in an equation makes the torn springs glow, p the vertices of the net', 
   await expect.poll(() => glowing(page, 'local')).toBeGreaterThan(10 * before.local);
   expect(await glowing(page, 'global')).toBeLessThan(2 * before.global);
   await page.locator('.half-local .symbol-legend').getByRole('button', { name: 'positions' }).focus();
-  await expect.poll(() => glowing(page, 'global')).toBeGreaterThan(2 * before.global);
+  // Unchanged it would be the same to the pixel; vertices glow less than the selected spring, the less the smaller the view.
+  await expect.poll(() => glowing(page, 'global')).toBeGreaterThan(1.5 * before.global);
   await page.keyboard.press('Escape');
   await expect.poll(() => glowing(page, 'local')).toBe(before.local);
 });
