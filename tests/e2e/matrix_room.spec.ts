@@ -17,7 +17,7 @@ const meant = (page: Page) => page.getByTestId('meant');
 const tab = (page: Page, name: string) => page.getByRole('tab', { name });
 
 /** Of the glow around what is marked in 3D, #ffd60a, smoothed at its edges. */
-const glowing = (page: Page) => countPixels(page.locator('.net-view'), (r, g, b) => r > 220 && g > 180 && b < 120);
+const glowing = (page: Page) => countPixels(page.locator('.net-picture-view'), (r, g, b) => r > 220 && g > 180 && b < 120);
 
 for (const [language, name, tabName, facts] of [
   ['en', 'Matrices', 'All matrices', '120 × 61'],
@@ -65,7 +65,7 @@ test('a spring under the mouse in the picture is marked in the matrix, an entry 
   await open(page, room);
   const accent = () => countPixels(matrix(page), (r, g, b) => r < 40 && g > 70 && g < 120 && b > 160); // #0b5fbf
   await expect.poll(accent).toBeGreaterThan(10); // the selected row and column
-  const view = await page.locator('.net-view').boundingBox();
+  const view = await page.locator('.net-picture-view').boundingBox();
   const { x, y, width, height } = view as NonNullable<typeof view>;
   const first = await meant(page).textContent();
   for (let down = 0.3 * height; down < height; down += 2) {
@@ -208,7 +208,15 @@ test('on a phone nothing is to be scrolled sideways, and the net stays in sight'
   }
   await page.getByRole('tab').first().click();
   await matrix(page).scrollIntoViewIfNeeded();
-  await expect(page.locator('.net-view')).toBeInViewport();
+  await expect(page.locator('.net-picture-view')).toBeInViewport();
+});
+
+test('on a phone, coming from the mistakes, the net leaves the tabs below it free', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, './#/springs/misconceptions?scene="net"');
+  await page.locator('.room-links').getByRole('link', { name: 'Matrices' }).click();
+  await tab(page, 'Q and b, term by term').click();
+  await expect(tab(page, 'Q and b, term by term')).toHaveAttribute('aria-selected', 'true');
 });
 
 test('the lesson leads to the room', async ({ page }) => {

@@ -12,7 +12,7 @@ export function NetPicture({ actions }: { actions: Actions }) {
   return (
     <section class="net-picture" aria-label={label}>
       <Stage actions={actions} label={label} />
-      <div class="net-view" data-view="global" />
+      <div class="net-picture-view" data-view="global" />
       <Meant />
     </section>
   );
