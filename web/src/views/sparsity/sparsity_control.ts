@@ -56,8 +56,8 @@ export class SparsityControl {
   resize(): void {
     const wasWhole = this.isWhole;
     this.area = {
-      width: Math.max(1, this.canvas.clientWidth - margin.left),
-      height: Math.max(1, this.canvas.clientHeight - margin.top),
+      width: Math.max(1, this.canvas.clientWidth - margin.left - margin.right),
+      height: Math.max(1, this.canvas.clientHeight - margin.top - margin.bottom),
     };
     if (wasWhole) this.view = null;
     else this.move((view, { pattern }) => panned(view, 0, 0, pattern, this.area));

@@ -27,13 +27,13 @@ export class SparsityPicture {
     this.followSize(area, ratio);
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.fillStyle = shown.ink.background;
-    c.fillRect(0, 0, area.width + margin.left, area.height + margin.top);
+    c.fillRect(0, 0, area.width + margin.left + margin.right, area.height + margin.top + margin.bottom);
     c.translate(margin.left, margin.top);
     drawHeads(c, shown, area);
     drawWedges(c, shown, area);
     c.save();
     c.beginPath();
-    c.rect(-1, -1, area.width + 1, area.height + 1);
+    c.rect(-1, -1, area.width + 2, area.height + 2); // with the frame's line
     c.clip();
     drawBands(c, shown);
     const part = { ...shown.view, rows: area.height / shown.view.scale, columns: area.width / shown.view.scale };
@@ -45,8 +45,8 @@ export class SparsityPicture {
   }
 
   private followSize({ width, height }: Area, ratio: number): void {
-    const wide = Math.round((width + margin.left) * ratio);
-    const high = Math.round((height + margin.top) * ratio);
+    const wide = Math.round((width + margin.left + margin.right) * ratio);
+    const high = Math.round((height + margin.top + margin.bottom) * ratio);
     if (this.canvas.width === wide && this.canvas.height === high) return;
     this.canvas.width = wide;
     this.canvas.height = high;

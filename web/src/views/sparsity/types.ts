@@ -38,6 +38,6 @@ export interface Sparsity {
 }
 
 /** CSS pixels beside the matrix, for the heads. */
-export const margin = { left: 44, top: 22 };
+export const margin = { left: 44, top: 22, right: 8, bottom: 1 };
 
 export const fontOf = (pixels: number) => `${pixels}px "Source Sans 3 Variable", system-ui, sans-serif`;
