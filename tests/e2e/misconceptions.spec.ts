@@ -32,6 +32,18 @@ test('every mistake can be looked at, and runs beside the right solver', async (
   }
 });
 
+test('a symbol in a mistake’s name opens no card over the list', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page, room('en'));
+  const symbol = page.locator('.cabinet-list [data-mistake="times-swapped"] [data-sym]').last();
+  const { x, y, width, height } = (await symbol.boundingBox()) as NonNullable<
+    Awaited<ReturnType<typeof symbol.boundingBox>>
+  >;
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await expect(card(page, 'times-swapped')).toBeVisible();
+  await expect(page.locator('#card')).toBeHidden();
+});
+
 test('what explodes is stopped and explained, and the page lives on', async ({ page }) => {
   await open(page, room('en'));
   await page.locator('.cabinet-list [data-mistake="times-swapped"]').click();
@@ -78,6 +90,7 @@ test('the quiz by keyboard; its score survives a reload', async ({ page }) => {
   await page.getByRole('button', { name: en.quiz.next }).focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('.quiz-answer')).toBeEmpty();
+  await expect(page.getByRole('heading', { name: en.quiz.ask })).toBeFocused();
   expect(await page.locator('.quiz').getAttribute('data-mistake')).not.toBe(mistake);
 
   await page.reload();

@@ -118,7 +118,7 @@ Ten mistakes that students really make, each made by a solver of its own beside 
     },
   },
   quiz: {
-    intro: 'Start them, drag the pins, watch the curves and the costs; some mistakes show only there.',
+    intro: 'Watch them move, drag the pins, look at the curves and the costs; some mistakes show only there.',
     ask: 'One of these two solvers makes a mistake. Which?',
     picture: 'Two nets, A and B; one is right',
     label: 'Your answer',

@@ -1,4 +1,4 @@
-import { useMemo, useState } from 'preact/hooks';
+import { useMemo, useRef, useState } from 'preact/hooks';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import type { SideBySide } from '../../../app/side_by_side.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
@@ -24,6 +24,8 @@ export function QuizView({ run, onRead }: Props) {
   const { card, wrongNet, choices } = question;
   const order = useMemo((): Order => (wrongNet === 'A' ? ['wrong', 'right'] : ['right', 'wrong']), [wrongNet]);
 
+  const asking = useRef<HTMLHeadingElement>(null);
+
   const choose = (choice: Shown) => {
     if (answer) return;
     setAnswer(choice);
@@ -32,10 +34,13 @@ export function QuizView({ run, onRead }: Props) {
   const goOn = () => {
     setAnswer(null);
     ask(next(rest, card.mistake));
+    asking.current?.focus(); // the button that was pressed goes away
   };
   return (
     <article class="quiz" data-mistake={card.mistake}>
-      <h3>{words.quiz.ask}</h3>
+      <h3 ref={asking} tabIndex={-1}>
+        {words.quiz.ask}
+      </h3>
       <Score />
       <ExperimentView
         run={run}
