@@ -17,7 +17,8 @@ const meant = (page: Page) => page.getByTestId('meant');
 const tab = (page: Page, name: string) => page.getByRole('tab', { name });
 
 /** Of the glow around what is marked in 3D, #ffd60a, smoothed at its edges. */
-const glowing = (page: Page) => countPixels(page.locator('.net-picture-view'), (r, g, b) => r > 220 && g > 180 && b < 120);
+const glowing = (page: Page) =>
+  countPixels(page.locator('.net-picture-view'), (r, g, b) => r > 220 && g > 180 && b < 120);
 
 for (const [language, name, tabName, facts] of [
   ['en', 'Matrices', 'All matrices', '120 × 61'],
