@@ -7,7 +7,7 @@ test.use({ bypassCSP: true }); // for axe
 /** The numbers of a row of a table, without units and spaces between groups. */
 async function numbersIn(page: Page, row: string): Promise<number[]> {
   const cells = await page.locator(`${row} td`).allTextContents();
-  return cells.map((text) => Number.parseFloat(text.replace(/\u2009(?=\d)/g, '')));
+  return cells.map((text) => Number.parseFloat(text.replace(/\u202f(?=\d)/g, '')));
 }
 
 /** Has the figure's first moment solved. */

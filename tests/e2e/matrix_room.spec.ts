@@ -182,7 +182,7 @@ test('the ledger: guess, try on a second solver, and the reader’s own simulati
 test('dense against sparse is measured here', async ({ page }) => {
   await open(page, room);
   await tab(page, 'Dense or sparse').click();
-  await expect(page.locator('[data-cost="bytesOfQ"] td').first()).toHaveText('24.2\u2009kB'); // 55² doubles
+  await expect(page.locator('[data-cost="bytesOfQ"] td').first()).toHaveText('24.2\u202fkB'); // 55² doubles
   await expect(page.locator('[data-cost="substitute"] td').nth(1)).toHaveText(/µs|ms/);
   await expect(page.getByText('unknowns one dense factorisation takes longer than a second')).toBeVisible();
 });

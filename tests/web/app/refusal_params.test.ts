@@ -5,8 +5,8 @@ it('what is too large is told in megabytes, beside the most there may be', () =>
   expect(refusalParams({ code: 'too_large', field: 'factor', index: -1, value: 127_244_560, limit: 120e6 })).toEqual({
     field: 'factor',
     index: -1,
-    value: '127.2\u2009MB',
-    limit: '120.0\u2009MB',
+    value: '127.2\u202fMB',
+    limit: '120.0\u202fMB',
   });
 });
 

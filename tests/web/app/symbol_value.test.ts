@@ -11,25 +11,25 @@ describe('symbolValue', () => {
 
   it.each([
     ['springCount', '2'],
-    ['k', '1000\u2009N/m'],
+    ['k', '1000\u202fN/m'],
     ['E', '(1, 2)'],
-    ['r', '0.500\u2009m'],
-    ['v', '(−0.500, 0.000, 0.000)\u2009m'],
-    ['d', '(−0.500, 0.000, 0.000)\u2009m'],
-    ['pTarget', '(0.00, 0.00, 0.00)\u2009m'],
-    ['potential', '0\u2009J'],
+    ['r', '0.500\u202fm'],
+    ['v', '(−0.500, 0.000, 0.000)\u202fm'],
+    ['d', '(−0.500, 0.000, 0.000)\u202fm'],
+    ['pTarget', '(0.00, 0.00, 0.00)\u202fm'],
+    ['potential', '0\u202fJ'],
   ] as const)('%s is %s', (id, value) => expect(symbolValue(id, figure, selection)).toBe(value));
 
   it('is the row asked for, whatever is selected', () => {
-    expect(symbolValue('p', figure, { spring: null, vertex: 2 })).toBe('(1.00, 0.00, 0.00)\u2009m');
+    expect(symbolValue('p', figure, { spring: null, vertex: 2 })).toBe('(1.00, 0.00, 0.00)\u202fm');
   });
 
   // At rest, with gravity the only external force on 1 kg.
   it.each([
-    ['pCurr', '(1.00, 0.00, 0.00)\u2009m'],
-    ['pPrev', '(1.00, 0.00, 0.00)\u2009m'],
-    ['velocity', '(0.00, 0.00, 0.00)\u2009m/s'],
-    ['fExt', '(0.00, −9.80, 0.00)\u2009N'],
+    ['pCurr', '(1.00, 0.00, 0.00)\u202fm'],
+    ['pPrev', '(1.00, 0.00, 0.00)\u202fm'],
+    ['velocity', '(0.00, 0.00, 0.00)\u202fm/s'],
+    ['fExt', '(0.00, −9.80, 0.00)\u202fN'],
   ] as const)('%s, known of every vertex, is %s', (id, value) =>
     expect(symbolValue(id, figure, { spring: null, vertex: 2 })).toBe(value),
   );

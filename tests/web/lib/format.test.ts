@@ -10,7 +10,7 @@ import {
   formatVector,
 } from '../../../web/src/lib/format.ts';
 
-const thin = '\u2009';
+const thin = '\u202f';
 const plainDigits: Record<string, string> = { '⁻': '-' };
 for (const [digit, raised] of [...'⁰¹²³⁴⁵⁶⁷⁸⁹'].entries()) plainDigits[raised] = String(digit);
 

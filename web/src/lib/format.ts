@@ -1,7 +1,7 @@
 /** Numbers as a reader sees them: a real minus sign, thin spaces before units, powers of ten written out. */
 
 const minus = '−';
-const thinSpace = '\u2009';
+const thinSpace = '\u202f';
 const superscripts: Record<string, string> = {
   '-': '⁻',
   '0': '⁰',

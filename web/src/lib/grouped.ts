@@ -1,4 +1,4 @@
 /** "11 029 041", the groups parted by thin spaces. */
 export function grouped(count: number): string {
-  return String(count).replace(/\B(?=(\d{3})+$)/g, '\u2009');
+  return String(count).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 }

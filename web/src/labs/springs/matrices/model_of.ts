@@ -97,5 +97,5 @@ function nameOf(axis: MatrixAxis, position: number): string {
 /** With its sign, as "+1" is the point of A. */
 function exactly(value: number, unit: string | null): string {
   const number = Number.isInteger(value) && Math.abs(value) < 1e6 ? formatFixed(value, 0) : formatNumber(value, 4);
-  return `${value > 0 ? '+' : ''}${number}${unit === null ? '' : `\u2009${unit}`}`;
+  return `${value > 0 ? '+' : ''}${number}${unit === null ? '' : `\u202f${unit}`}`;
 }
