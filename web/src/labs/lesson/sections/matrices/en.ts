@@ -77,7 +77,11 @@ The chart moves vertex 1 up and down, with $\symd$ held, and draws both.`,
   columns: {
     ask: raw`Why three columns, and not one long vector with $3n$ entries for $n$ vertices?`,
     hint: raw`Does the $x$ of one vertex occur in the equation for the $y$ of another?`,
-    answer: raw`With $\symd$ held, it does not: the three columns of $\symQ\symp = \symb$ are three systems with the same matrix. One factorisation serves all three, and the matrix is a third as wide. Newton’s method has no such luck: there $x$, $y$ and $z$ mix, and the matrix is $3n \times 3n$ and new in every iteration.`,
+    answer: raw`With $\symd$ held, it does not: the three columns of $\symQ\symp = \symb$ are three systems with the same matrix. One factorisation serves all three, and the matrix is a third as wide. Newton’s method has no such luck: there $x$, $y$ and $z$ mix, and the matrix is $3n \times 3n$ and new in every iteration. Push at a vertex along one axis, and compare how both answer:`,
+    caption: 'Push along x: the global step moves nothing along y. Let time pass: its answer stays, Newton’s changes.',
+    push: 'Push vertex {{vertex}} with {{force}} N along',
+    global: 'Global step, d held: how far each vertex moves, mm',
+    newton: 'Newton’s step, mm',
   },
   sources: {
     jacobson:

@@ -17,6 +17,7 @@ export function Laplacian({ caption }: { caption: string }) {
       <div class="matrices-room">
         {seen && (
           <PlainMatrix
+            figure={figure}
             caption={<Formula tex={String.raw`\symA^{\mathrm T}\symA`} />}
             values={gram(denseValues(seen.A), seen.A.columns)}
             size={seen.A.columns}

@@ -10,6 +10,7 @@ import { BothSides } from './both_sides.tsx';
 import { en } from './en.ts';
 import { Laplacian } from './laplacian.tsx';
 import { LiftedParabola } from './lifted_parabola.tsx';
+import { PushColumns } from './push_columns.tsx';
 import { QTerms } from './q_terms.tsx';
 import { hanging, SpringsProduct } from './springs_product.tsx';
 import { WhatChanged } from './what_changed.tsx';
@@ -40,7 +41,9 @@ export function Matrices() {
       <Question ask={words.laplacian.ask} hint={words.laplacian.hint} answer={words.laplacian.answer}>
         <Laplacian caption={words.laplacian.caption} />
       </Question>
-      <Question {...words.columns} />
+      <Question ask={words.columns.ask} hint={words.columns.hint} answer={words.columns.answer}>
+        <PushColumns words={words.columns} />
+      </Question>
       <RoomLink room="matrices" />
       <Sources items={words.sources} />
     </InSlices>

@@ -79,7 +79,11 @@ $$\tfrac12\operatorname{tr}(\symp^{\mathrm T}\symQ\symp) - \operatorname{tr}(\sy
   columns: {
     ask: raw`为什么用三列，而不用一个含 $3n$ 个元素的长向量（$n$ 为质点数）？`,
     hint: raw`一个质点的 $x$ 会出现在另一个质点的 $y$ 方程中吗？`,
-    answer: raw`固定 $\symd$ 之后不会：$\symQ\symp = \symb$ 的三列是系数矩阵相同的三个方程组。一次分解可供三列共用，矩阵的宽度也只有三分之一。牛顿法就没有这样的好事：$x$、$y$、$z$ 相互耦合，矩阵是 $3n \times 3n$ 的，而且每次迭代都要重新形成。`,
+    answer: raw`固定 $\symd$ 之后不会：$\symQ\symp = \symb$ 的三列是系数矩阵相同的三个方程组。一次分解可供三列共用，矩阵的宽度也只有三分之一。牛顿法就没有这样的好事：$x$、$y$、$z$ 相互耦合，矩阵是 $3n \times 3n$ 的，而且每次迭代都要重新形成。沿一个坐标轴推一个质点，比较两者的响应：`,
+    caption: '沿 x 推：全局步在 y 方向上毫无移动。让时间前进：全局步的响应不变，牛顿法的响应会变。',
+    push: '以 {{force}} N 的力推质点 {{vertex}}，方向为',
+    global: '全局步（固定 d）：各质点的位移，mm',
+    newton: '牛顿法的一步，mm',
   },
   sources: {
     jacobson: 'A. Jacobson，Computer Graphics – Mass-Spring Systems（课程讲义）：“Matrices”一节，迹与全局步。',

@@ -16,6 +16,8 @@ export function Eliminated({ words }: { words: Record<'caption' | 'left', string
       <div class="pins-room">
         {seen && (
           <PlainMatrix
+            figure={figure}
+            symbol="Q"
             caption={words.left}
             values={sumOf(['springs', 'masses'], seen, figure.parameters.value)}
             size={seen.Q.rows}

@@ -39,7 +39,16 @@ Left to itself the lab eliminates, because that is faster. As soon as you choose
   product: {
     ask: raw`$\symC$, $\symC^{\mathrm T}$ or $\symC^{\mathrm T}\symC$: how do you find out which belongs where, without looking it up?`,
     hint: raw`Write down the shapes.`,
-    answer: raw`$\symC$ is #pinned × #V. It can stand left of something with #V rows ($\symC\symp$: pick), $\symC^{\mathrm T}$ left of something with #pinned rows ($\symC^{\mathrm T}$ of targets: put back where they belong). Only $\symC^{\mathrm T}\symC$ is #V × #V and can be added to $\symA^{\mathrm T}\symA$. If your targets are stored as a list of #pinned rows, the right side needs $\symw\symC^{\mathrm T}$ times the list.`,
+    answer: raw`$\symC$ is #pinned × #V. It can stand left of something with #V rows ($\symC\symp$: pick), $\symC^{\mathrm T}$ left of something with #pinned rows ($\symC^{\mathrm T}$ of targets: put back where they belong). Only $\symC^{\mathrm T}\symC$ is #V × #V and can be added to $\symA^{\mathrm T}\symA$. If your targets are stored as a list of #pinned rows, the right side needs $\symw\symC^{\mathrm T}$ times the list. Multiply, and see what fits:`,
+    caption: 'Of the six products three fit. Two have a row for every vertex, as Q p and b have: which is for which?',
+    left: 'Left',
+    right: 'Right',
+    positions: 'p, a row for every vertex',
+    list: 'targets, a row for every pin',
+    fits: '{{rows}} × {{columns}} times {{others}} × 3 gives {{rows}} × 3: a row for every vertex, as in Q p = b.',
+    small: '{{rows}} × {{columns}} times {{others}} × 3 gives {{rows}} × 3: the pinned rows alone.',
+    misfit: '{{rows}} × {{columns}} times {{others}} × 3 does not fit: {{columns}} columns, but {{others}} rows.',
+    result: 'The product, in m',
   },
   slip: {
     printed: raw`\begin{aligned} \sympinEnergy = {} & \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) \\ & - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\sympTarget\bigr) \end{aligned}`,

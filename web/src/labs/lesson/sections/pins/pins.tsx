@@ -11,6 +11,7 @@ import { Sources } from '../../sources.tsx';
 import { ChangeCounters } from './change_counters.tsx';
 import { Eliminated } from './eliminated.tsx';
 import { en } from './en.ts';
+import { FittingProduct } from './fitting_product.tsx';
 import { printedPinEnergy } from './printed_pin_energy.ts';
 import { SelectedRows } from './selected_rows.tsx';
 import { WeakPin } from './weak_pin.tsx';
@@ -39,7 +40,9 @@ export function Pins() {
       <Question ask={words.every.ask} hint={words.every.hint} answer={words.every.answer}>
         <SelectedRows caption={words.every.caption} />
       </Question>
-      <Question {...words.product} />
+      <Question ask={words.product.ask} hint={words.product.hint} answer={words.product.answer}>
+        <FittingProduct words={words.product} />
+      </Question>
       <Question ask={words.again.ask} hint={words.again.hint} answer={words.again.answer}>
         <ChangeCounters words={words.again} />
       </Question>

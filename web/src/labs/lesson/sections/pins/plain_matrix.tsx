@@ -1,8 +1,14 @@
 import type { ComponentChildren } from 'preact';
+import type { Figure } from '../../../../app/figure.ts';
+import { springBetween } from '../../../../app/spring_between.ts';
 import { formatFixed, formatNumber } from '../../../../lib/format.ts';
+import type { SymbolId } from '../../../../notation/symbols.ts';
 import './plain_matrix.css';
 
 interface Props {
+  figure: Figure;
+  /** Whose entries these are, where they are those of one symbol. */
+  symbol?: SymbolId;
   caption: ComponentChildren;
   /** Row-major, size × size, of all vertices. */
   values: Float64Array;
@@ -13,9 +19,18 @@ interface Props {
   struck?: readonly number[];
 }
 
-/** Rows and columns of some vertices of a #V × #V matrix. */
-export function PlainMatrix({ caption, values, size, vertices, struck = [] }: Props) {
+/** Rows and columns of some vertices of a #V × #V matrix, whose entries belong to vertices and to the springs between them. */
+export function PlainMatrix({ figure, symbol, caption, values, size, vertices, struck = [] }: Props) {
   const isStruck = (...heads: number[]) => (heads.some((vertex) => struck.includes(vertex)) ? 'struck' : undefined);
+  const entryAttributes = (i: number, j: number) => {
+    const value = values[i * size + j];
+    const spring = value === 0 || i === j ? null : springBetween(figure.scene.value.E, i, j);
+    return {
+      'data-vertex': i === j ? i : undefined,
+      'data-spring': spring ?? undefined,
+      ...(symbol && { 'data-about': symbol, 'data-row': i, 'data-column': j, 'data-value': value }),
+    };
+  };
   return (
     <table class="numbers plain-matrix">
       <caption>{caption}</caption>
@@ -36,7 +51,7 @@ export function PlainMatrix({ caption, values, size, vertices, struck = [] }: Pr
               {i}
             </th>
             {vertices.map((j) => (
-              <td key={j} class={isStruck(i, j)}>
+              <td key={j} class={isStruck(i, j)} {...entryAttributes(i, j)}>
                 {shown(values[i * size + j])}
               </td>
             ))}

@@ -25,6 +25,7 @@ export function SelectedRows({ caption }: { caption: string }) {
               name={<Formula tex={String.raw`\symC`} />}
             />
             <PlainMatrix
+              figure={figure}
               caption={<Formula tex={String.raw`\symC^{\mathrm T}\symC`} />}
               values={gram(denseValues(seen.C), seen.C.columns)}
               size={seen.C.columns}

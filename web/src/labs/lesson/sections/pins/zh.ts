@@ -41,7 +41,16 @@ $$\sympinEnergy = \tfrac12 \symw \sum_{i\;\text{固定}} \lVert \symp_i - \sympT
   product: {
     ask: raw`$\symC$、$\symC^{\mathrm T}$ 还是 $\symC^{\mathrm T}\symC$？不查书，怎样判断哪里该用哪一个？`,
     hint: raw`把各自的行数和列数写出来。`,
-    answer: raw`$\symC$ 的大小是 #pinned × #V，可以左乘有 #V 行的矩阵（$\symC\symp$：挑出）；$\symC^{\mathrm T}$ 可以左乘有 #pinned 行的矩阵（放回原来的行）。只有 $\symC^{\mathrm T}\symC$ 是 #V × #V 的，能与 $\symA^{\mathrm T}\symA$ 相加。如果目标位置存成 #pinned 行的列表，右端就应该是 $\symw\symC^{\mathrm T}$ 乘以这个列表。`,
+    answer: raw`$\symC$ 的大小是 #pinned × #V，可以左乘有 #V 行的矩阵（$\symC\symp$：挑出）；$\symC^{\mathrm T}$ 可以左乘有 #pinned 行的矩阵（放回原来的行）。只有 $\symC^{\mathrm T}\symC$ 是 #V × #V 的，能与 $\symA^{\mathrm T}\symA$ 相加。如果目标位置存成 #pinned 行的列表，右端就应该是 $\symw\symC^{\mathrm T}$ 乘以这个列表。动手乘一乘，看哪些能相乘：`,
+    caption: '六个乘积中有三个可以相乘。其中两个像 Q p 和 b 一样，每个质点各有一行：哪一个用在哪里？',
+    left: '左边',
+    right: '右边',
+    positions: 'p，每个质点一行',
+    list: '目标位置，每个固定点一行',
+    fits: '{{rows}} × {{columns}} 乘以 {{others}} × 3，得到 {{rows}} × 3：每个质点一行，与 Q p = b 一致。',
+    small: '{{rows}} × {{columns}} 乘以 {{others}} × 3，得到 {{rows}} × 3：只有固定点所在的行。',
+    misfit: '{{rows}} × {{columns}} 乘以 {{others}} × 3，无法相乘：左边有 {{columns}} 列，右边却有 {{others}} 行。',
+    result: '乘积，单位 m',
   },
   slip: {
     printed: raw`\begin{aligned} \sympinEnergy = {} & \tfrac{\symw}{2}\operatorname{tr}\bigl(\symp^{\mathrm T}\symC^{\mathrm T}\symC\symp\bigr) \\ & - \symw\operatorname{tr}\bigl(\symp^{\mathrm T}\sympTarget\bigr) \end{aligned}`,

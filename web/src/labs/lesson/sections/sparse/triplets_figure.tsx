@@ -63,7 +63,14 @@ export function TripletsFigure({ figure, triplets, inserted, onInsert, repetitio
                 {i}
               </th>
               {row.map((value, j) => (
-                <td key={j} class={last && last.i === i && last.j === j ? 'inserted' : undefined} data-about="Q">
+                <td
+                  key={j}
+                  class={last && last.i === i && last.j === j ? 'inserted' : undefined}
+                  data-about="Q"
+                  data-row={i}
+                  data-column={j}
+                  data-value={value ?? 0}
+                >
                   {value === null ? <span class="absent">·</span> : formatNumber(value)}
                 </td>
               ))}

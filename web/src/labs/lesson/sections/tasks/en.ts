@@ -52,13 +52,31 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
     order: {
       ask: raw`The first steps look right, then the net creeps as if it had no inertia. Your friend’s jumps up and down, each time farther than before. What could be the wrong way round in yours, and what in hers?`,
       hint: raw`What is $\sympCurr - \sympPrev$, divided by $\symdeltaT$?`,
-      answer: raw`$\sympCurr - \sympPrev$ is the velocity. In yours $\sympCurr$ takes over $\symp$ **before** $\sympPrev$ takes over $\sympCurr$: then both are the same, and every step starts at rest. In hers the two are swapped in $2\sympCurr - \sympPrev$: the velocity has the wrong sign, so that inertia throws everything back past where it came from, about twice as far in every step.`,
+      answer: raw`$\sympCurr - \sympPrev$ is the velocity. In yours $\sympCurr$ takes over $\symp$ **before** $\sympPrev$ takes over $\sympCurr$: then both are the same, and every step starts at rest. In hers the two are swapped in $2\sympCurr - \sympPrev$: the velocity has the wrong sign, so that inertia throws everything back past where it came from, about twice as far in every step. Below, hers beside the right one.`,
     },
     slow: {
       ask: raw`The flag takes five seconds a frame. Your functions are correct. What now?`,
       hint: raw`Count the triplets, and count the factorisations.`,
       answer: raw`Two usual reasons: triplets of value zero (a loop over all pairs that adds $0$ where there is no spring makes $3321^2$ of them), or a factorisation in every step or iteration. The first belongs to [section 8](sparse), the second to [section 7](solving). And compile with optimisation: Eigen without it is tens of times slower.`,
     },
+  },
+  nets: {
+    captions: {
+      k: 'The same net twice, the one without k in b. Play, and read how long its springs are.',
+      order: 'Play, or go step by step: the first few steps tell. Then start again, and follow the jumps.',
+      slow: 'The same tower three times, all with the same positions. Step, and compare what a time step takes.',
+    },
+    names: {
+      none: 'Right',
+      'k-forgotten': 'k forgotten in b',
+      'times-swapped': 'Signs swapped',
+      'stored-zeros': 'Zeros stored in Q',
+      'factorised-again': 'Factorised in every iteration',
+    },
+    length: 'springs at {{percent}} % of their rest length',
+    kinetic: 'kinetic energy {{energy}}',
+    failed: 'stopped: too far away in time step {{step}}',
+    cost: '{{time}} a time step, {{count}} factorisations so far',
   },
   cabinet: 'Ten usual mistakes to watch, each beside the right solver, and a quiz on them',
   sources: {

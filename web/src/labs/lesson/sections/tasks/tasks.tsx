@@ -3,6 +3,7 @@ import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { pathOf } from '../../../../app/route.ts';
 import { CodeListing } from '../../../../views/code/code_listing.tsx';
 import type { SourceFile } from '../../../../views/code/sources.ts';
+import { Deferred } from '../../../../views/deferred/deferred.tsx';
 import { Display } from '../../../../views/equations/display.tsx';
 import { Prose } from '../../../../views/equations/prose.tsx';
 import { moves } from '../../figures/arrows.ts';
@@ -29,6 +30,14 @@ const damped: FigureSettings = {
   parameters: { iterations: 1, k: 1000 },
   selection: { spring: 0, vertex: 1 },
 };
+
+/** Nets in space: their code comes when an answer is looked at. */
+const experiments = {
+  k: async () => (await import('./mistaken_nets.tsx')).ForgottenK,
+  order: async () => (await import('./mistaken_nets.tsx')).SwappedTimes,
+  slow: async () => (await import('./mistaken_nets.tsx')).Slowly,
+};
+const others = ['k', 'order', 'slow'] as const;
 
 interface Task {
   id: keyof typeof en.tasks;
@@ -81,7 +90,7 @@ const tasks: readonly Task[] = [
 export function Tasks() {
   const words = inLanguage({ en, zh });
   const figure = useFigure(halfSteps);
-  const { damped: tooFew, ...others } = words.mistakes;
+  const { damped: tooFew } = words.mistakes;
   return (
     <InSlices>
       <Prose text={words.intro} />
@@ -101,8 +110,13 @@ export function Tasks() {
       <Question ask={tooFew.ask} hint={tooFew.hint} answer={tooFew.answer}>
         <Damped caption={tooFew.caption} />
       </Question>
-      {Object.entries(others).map(([id, mistake]) => (
-        <Question key={id} {...mistake} />
+      {others.map((id) => (
+        <Question key={id} {...words.mistakes[id]}>
+          <p class="figure-note">{words.nets.captions[id]}</p>
+          <div class="mistaken-nets-room">
+            <Deferred load={experiments[id]} />
+          </div>
+        </Question>
       ))}
       <p>
         <a href={pathOf({ page: 'springs', room: 'misconceptions' })}>{words.cabinet}</a>

@@ -55,13 +55,31 @@ export const zh: Catalogue<typeof en> = {
     order: {
       ask: raw`最初几步看上去没有问题，随后你的网却像失去惯性一样缓慢爬行；而你同学的网上下乱跳，一次比一次跳得远。你和同学分别可能把什么弄反了？`,
       hint: raw`$\sympCurr - \sympPrev$ 除以 $\symdeltaT$ 是什么？`,
-      answer: raw`$\sympCurr - \sympPrev$ 给出速度。你**先**把 $\symp$ 赋给了 $\sympCurr$，之后才把 $\sympCurr$ 赋给 $\sympPrev$：二者变得相同，每个时间步都从静止开始。同学则把 $2\sympCurr - \sympPrev$ 中的两项写反了：速度的符号相反，惯性把一切抛回来处并且越过它，每一步的距离大约加倍。`,
+      answer: raw`$\sympCurr - \sympPrev$ 给出速度。你**先**把 $\symp$ 赋给了 $\sympCurr$，之后才把 $\sympCurr$ 赋给 $\sympPrev$：二者变得相同，每个时间步都从静止开始。同学则把 $2\sympCurr - \sympPrev$ 中的两项写反了：速度的符号相反，惯性把一切抛回来处并且越过它，每一步的距离大约加倍。下图把同学的网与正确的网放在一起。`,
     },
     slow: {
       ask: raw`旗帜要五秒才能算出一帧，而你的函数都是对的。怎么办？`,
       hint: raw`数一数三元组的个数，再数一数分解的次数。`,
       answer: raw`常见原因有两个：一是存入了值为零的三元组（对所有质点对循环，没有弹簧的地方也加 $0$，就会产生 $3321^2$ 个三元组）；二是每个时间步甚至每次迭代都重新分解。前者见[第 8 节](sparse)，后者见[第 7 节](solving)。另外编译时要打开优化选项，否则 Eigen 会慢几十倍。`,
     },
+  },
+  nets: {
+    captions: {
+      k: '同一张网算两遍，其中一个在 b 中漏了 k。播放，并读出它的弹簧有多长。',
+      order: '播放，或逐步前进：最初几步就能看出差别。然后从头再来，观察它怎样跳动。',
+      slow: '同一座塔算三遍，三者的位置完全相同。逐步前进，比较每个时间步所用的时间。',
+    },
+    names: {
+      none: '正确',
+      'k-forgotten': 'b 中漏了 k',
+      'times-swapped': '两项写反',
+      'stored-zeros': 'Q 中存了零',
+      'factorised-again': '每次迭代都分解',
+    },
+    length: '弹簧长度为原长的 {{percent}}%',
+    kinetic: '动能 {{energy}}',
+    failed: '已停止：在第 {{step}} 个时间步飞得太远',
+    cost: '每个时间步 {{time}}，至今分解 {{count}} 次',
   },
   cabinet: '十个常见错误：逐个与正确的求解器并排观察，另有测验',
   sources: {
