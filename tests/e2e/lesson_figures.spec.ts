@@ -159,3 +159,64 @@ test("a task's own source unfolds", async ({ page }) => {
   await page.locator('.task-code > summary').first().click();
   await expect(page.locator('.code-line').first()).toBeVisible();
 });
+
+test('the mistakes that the last section asks about can be watched beside the right solver', async ({ page }) => {
+  await openUnfolded(page, 'tasks');
+  const experiments = page.locator('.mistaken-nets');
+  await expect(experiments).toHaveCount(3);
+  const notes = (experiment: Locator) => experiment.locator('.net-note').allTextContents();
+  const numberIn = (note: string) => Number.parseFloat((/[\d.]+/.exec(note) as RegExpExecArray)[0]);
+
+  const [forgotten, swapped, slow] = await experiments.all();
+  await forgotten.scrollIntoViewIfNeeded();
+  await button(forgotten, 'Play').click();
+  await expect.poll(async () => numberIn((await notes(forgotten))[1])).toBeLessThan(50); // % of the rest length
+  expect(numberIn((await notes(forgotten))[0])).toBeGreaterThan(90);
+
+  await swapped.scrollIntoViewIfNeeded();
+  await expect(button(forgotten, 'Play')).toBeVisible(); // it stops off the screen
+  await button(swapped, 'Play').click();
+  await expect(swapped.locator('.net-note').last()).toContainText('stopped');
+  await expect(swapped.locator('.net-note').first()).toContainText('kinetic energy');
+
+  await slow.scrollIntoViewIfNeeded();
+  await button(slow, 'One time step').click();
+  await expect(slow.locator('.net-note')).toContainText([
+    /, 1 factorisation/,
+    /, 1 factorisation/,
+    /, \d\d factorisations/,
+  ]);
+});
+
+test('only what fits is multiplied, and a push along one axis has one column as its answer', async ({ page }) => {
+  await openUnfolded(page, 'pins');
+  const fitting = page.locator('.figure', { has: page.locator('.pins-product') });
+  await fitting.scrollIntoViewIfNeeded();
+  await expect(fitting.locator('tbody tr')).toHaveCount(2); // C p: the two pins
+  await fitting.getByRole('radio', { name: 'targets' }).click();
+  await expect(fitting.locator('.report')).toContainText('does not fit');
+  await fitting.locator('input[name="left"]').nth(1).click();
+  await expect(fitting.locator('tbody tr')).toHaveCount(9); // Cᵀ times the targets
+  await openUnfolded(page, 'matrices');
+  const push = page.locator('.push-columns');
+  await push.scrollIntoViewIfNeeded();
+  const column = (table: number, axis: number) =>
+    push
+      .locator('table')
+      .nth(table)
+      .locator(`tbody td:nth-child(${axis + 2})`);
+  await expect(column(0, 1)).toHaveText(['0', '0', '0']);
+  await expect(column(1, 1).last()).not.toHaveText('0'); // Newton's
+});
+
+test('the entries of a matrix beside a figure open their cards', async ({ page }) => {
+  for (const [id, entry] of [
+    ['pins', '.plain-matrix td[data-about="Q"]'],
+    ['sparse', '.triplets td[data-about="Q"]'],
+  ]) {
+    await openUnfolded(page, id);
+    await page.locator(entry).first().hover();
+    await expect(page.getByRole('dialog')).toContainText('row');
+    await page.keyboard.press('Escape');
+  }
+});

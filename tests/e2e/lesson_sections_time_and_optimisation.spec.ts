@@ -55,6 +55,20 @@ test('optimisation: the half-steps walk down to where the gradient is zero', asy
   await expect(slope).toContainText('× 10⁻');
 });
 
+test('optimisation: it is said when an explosion left the picture, until all begins again', async ({ page }) => {
+  await open(page, './#/lesson/optimisation');
+  const experiment = await answer(page, 1);
+  const [explicit, implicit] = await experiment.locator('.side-by-side-reading').all();
+  await experiment.getByRole('button', { name: /^Play/ }).click();
+  await expect(explicit).toContainText(/left the picture at t = [\d.]+\ss\./);
+  const said = ((await explicit.textContent()) as string).split('\n')[1];
+  await expect.poll(async () => (await readings(experiment))[0].energy).toBeGreaterThan(1e4);
+  await expect(explicit).toContainText(said); // the first time, not the last
+  await expect(implicit).not.toContainText('left the picture');
+  await experiment.getByRole('button', { name: 'Reset to rest' }).click();
+  await expect(explicit).not.toContainText('left the picture');
+});
+
 test('optimisation: forces at the start of the step explode, until Δt ω is less than 2', async ({ page }) => {
   await open(page, './#/lesson/optimisation');
   const experiment = await answer(page, 1);

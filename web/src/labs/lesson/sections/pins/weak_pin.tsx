@@ -21,7 +21,7 @@ export function WeakPin({ figure, caption, words }: Props) {
   const seen = useInspection(figure);
   return (
     <Figure figure={figure} pictures={['net']} sliders={['w']} caption={caption}>
-      <div class="pins-room">{seen && <Tables figure={figure} seen={seen} />}</div>
+      <div class="pins-room pins-room-pair">{seen && <Tables figure={figure} seen={seen} />}</div>
       <dl class="pins-numbers">
         {seen &&
           numbersOf(seen, figure.parameters.value.w).map(([name, value]) => (
