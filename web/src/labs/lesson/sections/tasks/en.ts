@@ -62,7 +62,7 @@ Point at a symbol in the code, and the same thing lights up in the formulas and 
   },
   nets: {
     captions: {
-      k: 'The same net twice, the one without k in b. Play, and read how long its springs are.',
+      k: 'The same triangle twice, k = 100 N/m, the second without k in b. Play, and read how long its springs are.',
       order: 'Play, or go step by step: the first few steps tell. Then start again, and follow the jumps.',
       slow: 'The same tower three times, all with the same positions. Step, and compare what a time step takes.',
     },

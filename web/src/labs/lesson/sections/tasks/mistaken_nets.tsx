@@ -19,8 +19,9 @@ interface Shown {
   note: (run: SideBySide, net: number) => string;
 }
 
+/** Held by one pin: more of them would keep the springs between them long. */
 const forgottenK: Shown = {
-  scene: 'net',
+  scene: 'triangle',
   mistakes: ['none', 'k-forgotten'],
   note: ({ states, scene, r }, net) => {
     const p = states.peek()?.[net].p;
