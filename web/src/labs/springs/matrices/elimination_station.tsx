@@ -21,7 +21,6 @@ import { OrderTable } from './order_table.tsx';
 import { isFill } from './room_matrices.ts';
 import { roomWords } from './room_words.ts';
 import { selectThings } from './select_things.ts';
-import { springFinder } from './spring_between.ts';
 
 const kinds = ['waiting', 'done', 'fill'] as const;
 const colours: Record<(typeof kinds)[number], readonly string[]> = {
@@ -94,7 +93,7 @@ export function EliminationStation({ matrices, actions }: { matrices: Matrices; 
 }
 
 /** The lower triangle: what is finished, what still waits, and what was not there at first. */
-function modelOfStep({ entries, columns: done }: EliminationStep, order: Int32Array, { E, vertexCount }: Numbering) {
+function modelOfStep({ entries, columns: done }: EliminationStep, order: Int32Array, { E }: Numbering) {
   const axis = listed(order);
   return modelOf({
     symbol: 'L',
@@ -104,7 +103,6 @@ function modelOfStep({ entries, columns: done }: EliminationStep, order: Int32Ar
     unit: null,
     unitOf: ({ column }) => symbol(column < done ? 'L' : 'Q').unit, // what waits is still a Schur complement of Q
     E,
-    springBetween: springFinder(E, vertexCount),
     kinds: {
       of: (entry) => (isFill(entries, entry) ? 2 : entries.j[entry] < done ? 1 : 0),
       colours: kinds.map((kind) => colours[kind]),

@@ -1,3 +1,4 @@
+import { springBetween } from '../../../app/spring_between.ts';
 import type { Selection } from '../../../app/state.ts';
 import { entryFormat } from '../../../lib/entry_format.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
@@ -21,7 +22,6 @@ export interface MatrixMeaning {
   unitOf?: (place: Place) => string | null;
   /** E: #E×2. */
   E: Int32Array;
-  springBetween: (i: number, j: number) => number;
   kinds?: { of: (triplet: number, value: number) => number; colours: SparsityModel['kinds'] };
   /** What there is to say of an entry beside its value. */
   remark?: (entry: number, pattern: Pattern, place: Place) => string;
@@ -32,7 +32,7 @@ const signColours: SparsityModel['kinds'] = [['--sparsity-negative'], ['--symbol
 
 /** A matrix as the view shows it, linked with the springs and vertices of the lab. */
 export function modelOf(meaning: MatrixMeaning): SparsityModel {
-  const { symbol: id, triplets, rows, columns, E, springBetween, kinds, remark, unitOf } = meaning;
+  const { symbol: id, triplets, rows, columns, E, kinds, remark, unitOf } = meaning;
   const unit = meaning.unit === undefined ? symbol(id).unit : meaning.unit;
   const pattern = patternOf(triplets, kinds?.of);
   const format = entryFormat(triplets.value, unit);
@@ -40,8 +40,8 @@ export function modelOf(meaning: MatrixMeaning): SparsityModel {
   const thingsAt = ({ row, column }: Place): Selection => {
     const [i, j] = [rows.indexAt(row), columns.indexAt(column)];
     if (rows.thing === 'spring') return { spring: i, vertex: j };
-    const spring = i === j ? -1 : springBetween(i, j);
-    return spring < 0 ? { spring: null, vertex: i } : { spring, vertex: null };
+    const spring = i === j ? null : springBetween(E, i, j);
+    return spring === null ? { spring, vertex: i } : { spring, vertex: null };
   };
 
   const marksOf = ({ spring, vertex }: Selection): Marks => {

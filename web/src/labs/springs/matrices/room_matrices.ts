@@ -5,7 +5,6 @@ import { listed, numbered } from './axes.ts';
 import { modelOf } from './model_of.ts';
 import type { Numbering } from './numbering.ts';
 import { roomWords } from './room_words.ts';
-import { springFinder } from './spring_between.ts';
 
 export const matrixNames = ['A', 'M', 'C', 'AtA', 'Q', 'L', 'P'] as const;
 export type MatrixName = (typeof matrixNames)[number];
@@ -20,20 +19,19 @@ export function roomMatrices(
 ): Record<MatrixName, SparsityModel | null> {
   const springs = numbered('spring', E.length / 2);
   const vertices = numbered('vertex', vertexCount);
-  const linked = { E, springBetween: springFinder(E, vertexCount) };
   const order = elimination && listed(elimination.order);
   const factor = elimination?.factor ?? null;
   return {
-    A: modelOf({ ...linked, symbol: 'A', triplets: A, rows: springs, columns: vertices }),
-    M: modelOf({ ...linked, symbol: 'M', triplets: M, rows: vertices, columns: vertices }),
-    C: modelOf({ ...linked, symbol: 'C', triplets: C, rows: listed(pinned, true), columns: vertices }),
-    AtA: modelOf({ ...linked, symbol: 'A', triplets: AtA, rows: vertices, columns: vertices, unit: null }),
-    Q: modelOf({ ...linked, symbol: 'Q', triplets: Q, rows: vertices, columns: vertices }),
+    A: modelOf({ E, symbol: 'A', triplets: A, rows: springs, columns: vertices }),
+    M: modelOf({ E, symbol: 'M', triplets: M, rows: vertices, columns: vertices }),
+    C: modelOf({ E, symbol: 'C', triplets: C, rows: listed(pinned, true), columns: vertices }),
+    AtA: modelOf({ E, symbol: 'A', triplets: AtA, rows: vertices, columns: vertices, unit: null }),
+    Q: modelOf({ E, symbol: 'Q', triplets: Q, rows: vertices, columns: vertices }),
     L:
       factor &&
       order &&
       modelOf({
-        ...linked,
+        E,
         symbol: 'L',
         triplets: factor,
         rows: order,
@@ -45,7 +43,7 @@ export function roomMatrices(
       elimination &&
       order &&
       modelOf({
-        ...linked,
+        E,
         symbol: 'P',
         triplets: permutation(elimination.order, vertexCount),
         rows: order,

@@ -15,7 +15,6 @@ import { numbering } from './numbering.ts';
 import { RightHandSide } from './right_hand_side.tsx';
 import { roomWords } from './room_words.ts';
 import { selectThings } from './select_things.ts';
-import { springFinder } from './spring_between.ts';
 import { sumOfTerms, type Term, termAt, termPatterns, terms } from './sum_of_terms.ts';
 
 const { raw } = String;
@@ -53,7 +52,6 @@ export function Terms({ matrices, actions }: { matrices: Matrices; actions: Acti
       rows: vertices,
       columns: vertices,
       E,
-      springBetween: springFinder(E, vertexCount),
       kinds: { of: (triplet) => from[triplet], colours },
       remark: (entry, _, place) => {
         if (entry < 0) return '';
