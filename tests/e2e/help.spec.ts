@@ -1,7 +1,7 @@
-import { expect, open, test } from './support/page.ts';
+import { expect, openSection, test } from './support/page.ts';
 
 test('the help says what can be done on the page that is open', async ({ page }) => {
-  await open(page, './#/lesson/model');
+  await openSection(page, 'model');
   await page.keyboard.press('?');
   const help = page.locator('.help');
   await expect(help).toContainText('drag a vertex: pull at it');

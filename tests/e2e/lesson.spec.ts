@@ -3,7 +3,7 @@ import { en } from '../../web/src/app/messages/en/index.ts';
 import { zh } from '../../web/src/app/messages/zh/index.ts';
 import { sectionIds } from '../../web/src/notation/sections.ts';
 import { seriousViolations } from './support/axe.ts';
-import { expect, open, test } from './support/page.ts';
+import { expect, open, openSection, test } from './support/page.ts';
 
 test.use({ bypassCSP: true }); // for axe
 
@@ -17,7 +17,7 @@ const firstFigure = (page: Page) => page.locator('.figure').first();
 const place = (page: Page) => firstFigure(page).locator('.figure-place');
 
 async function openTrick(page: Page): Promise<void> {
-  await open(page, lesson('trick'));
+  await openSection(page, 'trick');
   await firstFigure(page).locator('.figure-transport').scrollIntoViewIfNeeded();
   await expect(place(page)).toHaveText('t = 10 · iteration 1 of 4 · local');
 }
@@ -25,7 +25,7 @@ async function openTrick(page: Page): Promise<void> {
 for (const [language, messages] of Object.entries({ en, zh }))
   for (const id of sectionIds)
     test(`the section opens by its link, its figure ready and accessible: ${id}, ${language}`, async ({ page }) => {
-      await open(page, lesson(`${id}?language="${language}"`));
+      await openSection(page, id, `?language="${language}"`);
       await expect(page.getByRole('heading', { level: 2 })).toHaveText(messages.symbols.section[id]);
       await expect(page).toHaveTitle(`${messages.symbols.section[id]} – ${messages.page.title}`);
       await firstFigure(page).scrollIntoViewIfNeeded();
@@ -94,8 +94,7 @@ test('everything in a figure can be done with the keyboard alone', async ({ page
 });
 
 test('the keyboard goes from the top of a section to the next one', async ({ page }) => {
-  await open(page, lesson('trick'));
-  await expect(page.locator('.sources')).toBeVisible(); // what comes last
+  await openSection(page, 'trick');
   const reached: string[] = [];
   while (reached.length < 120 && !reached.includes('Next Matrices')) {
     await page.keyboard.press('Tab');
@@ -170,8 +169,7 @@ for (const [width, height] of [
       }).observe({ type: 'layout-shift', buffered: true });
     });
     for (const id of sectionIds) {
-      await open(page, lesson(id));
-      await expect(page.locator('.sources')).toBeVisible(); // what comes last
+      await openSection(page, id);
       for (const figure of await page.locator('.figure').all()) {
         await figure.scrollIntoViewIfNeeded();
         await expect(figure).toHaveAttribute('data-ready', 'true');
@@ -187,8 +185,7 @@ for (const [width, height] of [
 test('nothing is wider than a phone, in any section', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   for (const id of sectionIds) {
-    await open(page, lesson(id));
-    await expect(page.locator('.sources')).toBeVisible();
+    await openSection(page, id);
     expect(await page.evaluate(() => document.documentElement.scrollWidth), id).toBeLessThanOrEqual(390);
     expect(await seriousViolations(page), id).toEqual([]);
   }

@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { sectionIds } from '../../web/src/notation/sections.ts';
-import { expect, open, test } from './support/page.ts';
+import { expect, openSection, test } from './support/page.ts';
 
 test.beforeEach(async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' }); // every half-step shows at once
@@ -8,8 +8,7 @@ test.beforeEach(async ({ page }) => {
 
 /** Opens a section with everything that is folded away in it: hints, answers, slips. */
 async function openUnfolded(page: Page, id: string): Promise<void> {
-  await open(page, `./#/lesson/${id}`);
-  await expect(page.locator('.sources')).toBeVisible(); // what comes last
+  await openSection(page, id);
   for (const summary of await page.locator('.question > details > summary, .folded-slip > summary').all())
     await summary.click();
 }

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { seriousViolations } from './support/axe.ts';
-import { expect, open, test } from './support/page.ts';
+import { expect, openSection, test } from './support/page.ts';
 
 test.use({ bypassCSP: true }); // for axe
 
@@ -26,7 +26,7 @@ async function toTheEnd(page: Page, name: string): Promise<void> {
 }
 
 test('substitution solves the moment shown, and a pull needs no new factor', async ({ page }) => {
-  await open(page, './#/lesson/solving');
+  await openSection(page, 'solving');
   await wakeFigure(page);
   await toTheEnd(page, 'Rows solved');
   await expect(page.getByText(/no row of Q p differs from b by more than .*10⁻¹/)).toBeVisible();
@@ -37,7 +37,7 @@ test('substitution solves the moment shown, and a pull needs no new factor', asy
 });
 
 test('the clock fits an exponent to every way of solving and stops when told to', async ({ page }) => {
-  await open(page, './#/lesson/solving');
+  await openSection(page, 'solving');
   await page.getByRole('button', { name: 'Start the clock' }).click();
   await page.getByRole('button', { name: 'Stop' }).click();
   await expect(page.getByText('Finished')).toBeHidden();
@@ -49,7 +49,7 @@ test('the clock fits an exponent to every way of solving and stops when told to'
 });
 
 test('factors keep most zeros and the inverse none', async ({ page }) => {
-  await open(page, './#/lesson/solving');
+  await openSection(page, 'solving');
   const answer = page.getByText('The answer').last();
   await answer.click();
   await expect(page.getByRole('img', { name: 'Q⁻¹: 3721 of 3721' })).toBeVisible();
@@ -58,7 +58,7 @@ test('factors keep most zeros and the inverse none', async ({ page }) => {
 });
 
 test('overwritten triplets lead astray, and with stiff springs nowhere', async ({ page }) => {
-  await open(page, './#/lesson/sparse');
+  await openSection(page, 'sparse');
   await wakeFigure(page);
   await toTheEnd(page, 'Triplets inserted');
   const report = page.locator('.report');
@@ -70,7 +70,7 @@ test('overwritten triplets lead astray, and with stiff springs nowhere', async (
 });
 
 test('the counts are those of the scenes, and a good order fills less', async ({ page }) => {
-  await open(page, './#/lesson/sparse');
+  await openSection(page, 'sparse');
   await expect(page.locator('[data-scene="flag"]')).toContainText('0.21');
   // #V, #E, #V², #V + 2#E of flag.obj.
   expect((await numbersIn(page, '[data-scene="flag"]')).slice(0, 4)).toEqual([3321, 9720, 3321 ** 2, 3321 + 2 * 9720]);
@@ -83,7 +83,7 @@ test('the counts are those of the scenes, and a good order fills less', async ({
 });
 
 test('the flag is timed with its zeros left out and with all of them stored', async ({ page }) => {
-  await open(page, './#/lesson/sparse');
+  await openSection(page, 'sparse');
   await page.getByText('The answer').last().click();
   await page.getByRole('button', { name: 'Time one frame of the flag' }).click();
   for (const storage of ['sparse', 'dense'])

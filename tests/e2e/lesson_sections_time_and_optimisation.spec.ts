@@ -1,5 +1,5 @@
 import type { Locator, Page } from '@playwright/test';
-import { expect, open, test } from './support/page.ts';
+import { expect, openSection, test } from './support/page.ts';
 
 /** Opens the answer of a question and brings its experiment on the screen. */
 async function answer(page: Page, question: number): Promise<Locator> {
@@ -20,7 +20,7 @@ async function readings(experiment: Locator): Promise<{ time: number; energy: nu
 }
 
 test('time: the three positions make velocity and acceleration', async ({ page }) => {
-  await open(page, './#/lesson/time');
+  await openSection(page, 'time');
   await page.locator('figure.figure').scrollIntoViewIfNeeded();
   const table = page.locator('.difference-table');
   await expect(table.locator('tbody tr')).toHaveCount(5);
@@ -33,7 +33,7 @@ test('time: the three positions make velocity and acceleration', async ({ page }
 });
 
 test('time: of four nets, longer steps lose more energy', async ({ page }) => {
-  await open(page, './#/lesson/time');
+  await openSection(page, 'time');
   const experiment = await answer(page, 0);
   await experiment.getByRole('button', { name: /^Play/ }).click();
   await expect
@@ -45,7 +45,7 @@ test('time: of four nets, longer steps lose more energy', async ({ page }) => {
 });
 
 test('optimisation: the half-steps walk down to where the gradient is zero', async ({ page }) => {
-  await open(page, './#/lesson/optimisation');
+  await openSection(page, 'optimisation');
   const figure = page.locator('figure.figure');
   await figure.scrollIntoViewIfNeeded();
   await expect(figure.locator('.contour')).toHaveCount(14);
@@ -56,7 +56,7 @@ test('optimisation: the half-steps walk down to where the gradient is zero', asy
 });
 
 test('optimisation: it is said when an explosion left the picture, until all begins again', async ({ page }) => {
-  await open(page, './#/lesson/optimisation');
+  await openSection(page, 'optimisation');
   const experiment = await answer(page, 1);
   const [explicit, implicit] = await experiment.locator('.side-by-side-reading').all();
   await experiment.getByRole('button', { name: /^Play/ }).click();
@@ -70,7 +70,7 @@ test('optimisation: it is said when an explosion left the picture, until all beg
 });
 
 test('optimisation: forces at the start of the step explode, until Δt ω is less than 2', async ({ page }) => {
-  await open(page, './#/lesson/optimisation');
+  await openSection(page, 'optimisation');
   const experiment = await answer(page, 1);
   await experiment.getByRole('button', { name: /^Play/ }).click();
   await expect(experiment.locator('.verdict')).toContainText('unstable');

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { sectionIds } from '../../web/src/notation/sections.ts';
 import { mark, startTracing, stopTracing } from './support/main_thread.ts';
-import { expect, open, test } from './support/page.ts';
+import { expect, openSection, test } from './support/page.ts';
 
 test.use({ trace: 'off' }); // its snapshots are tasks of the page
 
@@ -26,8 +26,7 @@ async function readThrough(page: Page, section: string): Promise<void> {
 }
 
 test('opening a section and scrolling through it never keeps the page from answering', async ({ page, browser }) => {
-  await open(page, './#/lesson/model');
-  await expect(page.locator('.sources')).toBeVisible();
+  await openSection(page, 'model');
   await readThrough(page, 'tasks'); // what every section needs is compiled
   for (const id of sectionIds) {
     await startTracing(browser, page);

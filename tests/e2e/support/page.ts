@@ -29,6 +29,12 @@ export async function open(page: Page, rest = './'): Promise<void> {
   await expectReady(page);
 }
 
+/** Opens a section of the lesson and waits until all of it is there; `rest`: what the address says besides. */
+export async function openSection(page: Page, id: string, rest = ''): Promise<void> {
+  await open(page, `./#/lesson/${id}${rest}`);
+  await expect(page.locator('.sources')).toBeVisible(); // a section comes in slices, and they come last
+}
+
 /** The app has drawn its first frame. */
 export async function expectReady(page: Page): Promise<void> {
   await expect(page.locator('body')).toHaveAttribute('data-ready', 'true');
