@@ -5,6 +5,15 @@ import type { MovingScene, SmallScene } from './small_scenes.ts';
 
 export const solver = await loadSolver();
 
+/** Matches every status, with all of its fields. */
+export const anyStatus = {
+  code: expect.any(String),
+  field: expect.any(String),
+  index: expect.any(Number),
+  value: expect.any(Number),
+  limit: expect.any(Number),
+};
+
 export function expectOk(status: Status): void {
   expect(status).toEqual({ code: 'ok', field: '', index: -1, value: 0, limit: 0 });
 }

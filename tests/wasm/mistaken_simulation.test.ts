@@ -2,17 +2,10 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { type MistakenSimulation, mistakes } from '../../web/src/solver/mistaken_simulation.ts';
 import { openMistaken } from '../support/open_mistaken.ts';
-import { expectOk, openMoving, solver } from '../support/open_simulation.ts';
+import { expectOk, openMoving, solver, anyStatus as status } from '../support/open_simulation.ts';
 import { chain, movingScenes, net, usualParameters } from '../support/small_scenes.ts';
 
 const { V, E, m, pinned } = chain(3);
-const status = {
-  code: expect.any(String),
-  field: expect.any(String),
-  index: expect.any(Number),
-  value: expect.any(Number),
-  limit: expect.any(Number),
-};
 const number = expect.any(Number);
 const doubles = expect.any(Float64Array);
 

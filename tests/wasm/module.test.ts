@@ -9,18 +9,11 @@ import {
   traceColumns,
 } from '../../web/src/solver/module.ts';
 import { openScene } from '../support/open_scene.ts';
-import { distance, expectOk, openSimulation, solver } from '../support/open_simulation.ts';
+import { distance, expectOk, openSimulation, solver, anyStatus as status } from '../support/open_simulation.ts';
 import { positionsTolerance } from '../support/positions_tolerance.ts';
 import { chain, net, usualParameters } from '../support/small_scenes.ts';
 
 const { V, E, m, pinned } = chain(3);
-const status = {
-  code: expect.any(String),
-  field: expect.any(String),
-  index: expect.any(Number),
-  value: expect.any(Number),
-  limit: expect.any(Number),
-};
 const triplets = {
   rows: expect.any(Number),
   columns: expect.any(Number),
