@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import type { Parameters } from '../../web/src/solver/module.ts';
+import type { MinimisingParameters } from '../../web/src/solver/module.ts';
 
 /** What set_scene takes: V #V×3 in metres, E #E×2, m #V in kg, pinned #pinned. */
 export interface SmallScene {
@@ -10,7 +10,7 @@ export interface SmallScene {
 }
 
 /** κ is about 4 for a chain of 1 kg: rounding costs the solver less than a digit. */
-export const usualParameters: Parameters = {
+export const usualParameters: MinimisingParameters = {
   k: 1e3,
   delta_t: 1 / 30,
   w: 1e10,
@@ -20,6 +20,7 @@ export const usualParameters: Parameters = {
   stop_gradient: 0,
   stop_decrease: 0,
   gravity: 9.8,
+  damping: 0,
   wind: false,
   path: 'plain', // the reference; fast_path.test.ts holds the other to it
   storage: 'sparse',
@@ -58,7 +59,7 @@ export function net(n: number): SmallScene {
 
 /** A scene in the middle of a motion. */
 export interface MovingScene extends SmallScene {
-  parameters: Parameters;
+  parameters: MinimisingParameters;
   /** #pinned×3, #V×3, #V×3, m. */
   targets: Float64Array;
   p_curr: Float64Array;

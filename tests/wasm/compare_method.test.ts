@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { compareMethod } from '../../web/src/solver/compare_method.ts';
 import { measureIteration } from '../../web/src/solver/measure_iteration.ts';
-import { methods } from '../../web/src/solver/module.ts';
+import { minimisers } from '../../web/src/solver/module.ts';
 import { openSimulation, place } from '../support/open_simulation.ts';
 import { net, usualParameters } from '../support/small_scenes.ts';
 
@@ -16,10 +16,10 @@ const falling = () => {
 };
 
 describe('the real solver', () => {
-  it('compares all methods on one time step, without moving', () => {
+  it('compares all minimisers on one time step, without moving', () => {
     const simulation = falling();
     const before = place(simulation);
-    for (const method of methods) {
+    for (const method of minimisers) {
       const outcome = compareMethod(simulation, { method, iterations: 30, patience_ms: 1000 });
       if (!outcome.ok) throw new Error(outcome.status.code);
       const { change, milliseconds } = outcome.value;

@@ -45,7 +45,7 @@ const sceneErrors: [Partial<SmallScene>, Refusal][] = [
     { code: 'not_finite', field: 'm', index: 2, value: Number.POSITIVE_INFINITY },
   ],
   [{ pinned: Int32Array.of(3) }, { code: 'index_out_of_range', field: 'pinned', index: 0, value: 3 }],
-  [{ pinned: Int32Array.of(1, 1) }, { code: 'duplicate_pin', field: 'pinned', index: 1, value: 0 }],
+  [{ pinned: Int32Array.of(1, 1) }, { code: 'duplicate_vertex', field: 'pinned', index: 1, value: 0 }],
 ];
 test.each(sceneErrors)('scene with %j', (change, status) => {
   const { V, E, m, pinned } = { ...chain(3), ...change };
@@ -83,7 +83,7 @@ const otherErrors: [string, (simulation: Simulation) => Status, Refusal][] = [
   [
     'a pin twice',
     (simulation) => simulation.set_pins(Int32Array.of(4, 4), new Float64Array(6)),
-    { code: 'duplicate_pin', field: 'pinned', index: 1, value: 0 },
+    { code: 'duplicate_vertex', field: 'pinned', index: 1, value: 0 },
   ],
   [
     'fewer targets than pins',

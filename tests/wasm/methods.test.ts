@@ -1,5 +1,11 @@
 import { describe, expect, test } from 'vitest';
-import { compareColumns, type Method, methods, type Parameters, type Simulation } from '../../web/src/solver/module.ts';
+import {
+  compareColumns,
+  type Minimiser,
+  minimisers,
+  type Parameters,
+  type Simulation,
+} from '../../web/src/solver/module.ts';
 import { distance, expectOk, openSimulation, place } from '../support/open_simulation.ts';
 import { net, usualParameters } from '../support/small_scenes.ts';
 import { traceRows } from '../support/trace_rows.ts';
@@ -9,7 +15,7 @@ const paths = [
   { path: 'plain', storage: 'sparse' },
   { path: 'plain', storage: 'dense' },
 ] as const;
-const everyMethod = paths.flatMap((path) => methods.map((method) => ({ ...path, method })));
+const everyMethod = paths.flatMap((path) => minimisers.map((method) => ({ ...path, method })));
 
 /** A net in the middle of falling, at predict of time step 4, stiff enough that ten plain iterations leave much to do. */
 function falling(parameters: Partial<Parameters>): Simulation {
@@ -27,7 +33,7 @@ function sameInstant(parameters: Partial<Parameters> & Pick<Parameters, 'path' |
   return simulation;
 }
 
-function compareRows(simulation: Simulation, method: Method, iterations: number) {
+function compareRows(simulation: Simulation, method: Minimiser, iterations: number) {
   const { status, rows } = simulation.compare(method, iterations);
   expectOk(status);
   return Array.from({ length: rows.length / compareColumns.length }, (_, row) => {
@@ -146,14 +152,14 @@ describe.each(paths)('on the path $path, $storage', (path) => {
     }
   });
 
-  test('the accelerated methods come closer in twenty iterations than local and global step', () => {
+  test('the accelerated minimisers come closer in twenty iterations than local and global step', () => {
     const simulation = sameInstant(path);
-    const [plain, ...accelerated] = methods.map((method) => compareRows(simulation, method, 20).at(-1)?.change);
+    const [plain, ...accelerated] = minimisers.map((method) => compareRows(simulation, method, 20).at(-1)?.change);
     for (const change of accelerated) expect(change).toBeLessThan(plain ?? Number.NaN);
   });
 });
 
-test.each(methods)('%s keeps pinned vertices exactly where they are held on the fast path', (method) => {
+test.each(minimisers)('%s keeps pinned vertices exactly where they are held on the fast path', (method) => {
   const simulation = falling({ method, path: 'fast' });
   const { V, pinned } = net(6);
   const rows = (points: Float64Array) => Array.from(pinned, (i) => [...points.subarray(3 * i, 3 * i + 3)]);

@@ -27,7 +27,18 @@ const calls: { [Name in keyof MistakenSimulation]: [Parameters<MistakenSimulatio
   p_prev: [[], doubles],
   r: [[], Float64Array.of(0.5, 0.5)],
   m: [[], Float64Array.of(1, 1, 1)],
-  objective_at: [[V], { objective: number, potential: number, inertia: number, external: number, pin: number }],
+  objective_at: [
+    [V],
+    {
+      objective: number,
+      potential: number,
+      inertia: number,
+      external: number,
+      pin: number,
+      damping: number,
+      pull: number,
+    },
+  ],
   energy: [[], { kinetic: number, springs: number, external: number }],
   factorisation_count: [[], 1],
   factorisation_time: [[], number],
@@ -100,7 +111,7 @@ test('bad input is refused as by the trusted one, and leaves everything as it wa
     'E index_out_of_range',
     'k not_finite',
     'stiffness_number too_stiff',
-    'pinned duplicate_pin',
+    'pinned duplicate_vertex',
     'p_prev not_finite',
     'half_step index_out_of_range',
   ]);

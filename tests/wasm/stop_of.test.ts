@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { compareMethod } from '../../web/src/solver/compare_method.ts';
-import { methods } from '../../web/src/solver/module.ts';
+import { minimisers } from '../../web/src/solver/module.ts';
 import { stopOf } from '../../web/src/solver/stop_of.ts';
 import { expectOk, openSimulation } from '../support/open_simulation.ts';
 import { net, usualParameters } from '../support/small_scenes.ts';
@@ -15,7 +15,7 @@ const rules = [
 ];
 
 describe.each(['fast', 'plain'] as const)('on the %s path', (path) => {
-  test.each(methods.flatMap((method) => rules.map((rule) => ({ method, ...rule }))))(
+  test.each(minimisers.flatMap((method) => rules.map((rule) => ({ method, ...rule }))))(
     'the solver ends where the page marks it: $method, K = $iterations, ε = $stop_gradient N, $stop_decrease',
     ({ method, ...rule }) => {
       const simulation = openSimulation(net(6), { ...usualParameters, path, k: 1e5 });

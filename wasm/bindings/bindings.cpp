@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "elimination.h"
-#include "explicit_step.h"
 #include "inertial_prediction.h"
 #include "matrix_in_order.h"
 #include "mistaken_simulation.h"
 #include "ordering.h"
 #include "simulation.h"
 #include "solving_example.h"
+#include "symplectic_euler.h"
 #include "system_matrix_terms.h"
 #include "triplets_from_matrix.h"
 
@@ -93,6 +93,13 @@ val compare(Simulation& simulation, const std::string& method, int iterations) {
   object.set("status", status);
   object.set("rows", copy("Float64Array", rows));
   return object;
+}
+
+/// What the forces at p^t would make of it.
+val explicit_step(const TimeStep& step) {
+  Points p;
+  SymplecticEuler()(step, p);
+  return copy("Float64Array", p);
 }
 
 val matrix(int rows, int columns, const Triplets& triplets) {
@@ -203,6 +210,7 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("stop_gradient", &Parameters::stop_gradient)
       .field("stop_decrease", &Parameters::stop_decrease)
       .field("gravity", &Parameters::gravity)
+      .field("damping", &Parameters::damping)
       .field("wind", &Parameters::wind)
       .field("path", &path, &set_path)
       .field("storage", &storage, &set_storage);
@@ -212,7 +220,9 @@ EMSCRIPTEN_BINDINGS(solver) {
       .field("potential", &Objective::potential)
       .field("inertia", &Objective::inertia)
       .field("external", &Objective::external)
-      .field("pin", &Objective::pin);
+      .field("pin", &Objective::pin)
+      .field("damping", &Objective::damping)
+      .field("pull", &Objective::pull);
 
   value_object<MechanicalEnergy>("MechanicalEnergy")
       .field("kinetic", &MechanicalEnergy::kinetic)
@@ -237,6 +247,9 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "set_pins",
           +[](S& s, val pinned, val targets) { return s.set_pins(ints(pinned), doubles(targets)); })
+      .function(
+          "set_pull", +[](S& s, val vertices, val targets,
+                          double k) { return s.set_pull(ints(vertices), doubles(targets), k); })
       .function("reset", &S::reset)
       .function(
           "set_state",
@@ -270,8 +283,7 @@ EMSCRIPTEN_BINDINGS(solver) {
           "inertial_prediction",
           +[](const S& s) { return copy("Float64Array", inertial_prediction(s.time_step())); })
       .function(
-          "explicit_step",
-          +[](const S& s) { return copy("Float64Array", explicit_step(s.time_step())); })
+          "explicit_step", +[](const S& s) { return explicit_step(s.time_step()); })
       .function(
           "d", +[](const S& s) { return lend(s.iterate().d); })
       .function(
@@ -284,6 +296,10 @@ EMSCRIPTEN_BINDINGS(solver) {
           "trace", +[](const S& s) { return lend(s.trace().rows()); })
       .function("probe_vertex", &probe)
       .function("energy", &S::energy)
+      .function(
+          "velocity", +[](const S& s) { return copy("Float64Array", s.velocity()); })
+      .function("largest_frequency", &S::frequency)
+      .function("stability_limit", &S::stability_limit)
       .function("stiffness_number", &S::stiffness_number)
       .function("factorisation_count", &S::factorisation_count)
       .function("factorisation_reason", &S::factorisation_reason)

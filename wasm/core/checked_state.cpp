@@ -1,10 +1,12 @@
 #include "checked_state.h"
 
+#include <cmath>
+
 #include "validate_masses.h"
 #include "validate_parameters.h"
-#include "validate_pinned.h"
 #include "validate_points.h"
 #include "validate_springs.h"
+#include "validate_vertices.h"
 
 namespace mass_spring {
 namespace {
@@ -29,7 +31,7 @@ Status checked_scene(const std::vector<double>& V, const std::vector<int>& E,
   const int n = static_cast<int>(V.size() / 3);
   for (const Status& status :
        {validate_points("V", V, n), n > 0 ? Status{} : Status{StatusCode::no_vertices, "V", -1, 0},
-        validate_springs(E, n), validate_masses(m, n), validate_pinned(pinned, n),
+        validate_springs(E, n), validate_masses(m, n), validate_vertices("pinned", pinned, n),
         validate_parameters(parameters)}) {
     if (!status.ok()) return status;
   }
@@ -53,12 +55,26 @@ Status checked_pins(const std::vector<int>& pinned, const std::vector<double>& t
                     State& state) {
   if (vertices(state) == 0) return no_scene;
   for (const Status& status :
-       {validate_pinned(pinned, vertices(state)),
+       {validate_vertices("pinned", pinned, vertices(state)),
         validate_points("targets", targets, static_cast<int>(pinned.size()))}) {
     if (!status.ok()) return status;
   }
   state.time_step.pinned = as_indices(pinned);
   state.time_step.targets = as_points(targets);
+  return {};
+}
+
+Status checked_pull(const std::vector<int>& pulled, const std::vector<double>& targets, double k,
+                    State& state) {
+  if (vertices(state) == 0) return no_scene;
+  for (const Status& status :
+       {validate_vertices("pulled", pulled, vertices(state)),
+        validate_points("targets", targets, static_cast<int>(pulled.size()))}) {
+    if (!status.ok()) return status;
+  }
+  if (!std::isfinite(k)) return {StatusCode::not_finite, "pull", -1, k};
+  if (k < 0) return {StatusCode::negative, "pull", -1, k};
+  state.time_step.pull = {as_indices(pulled), as_points(targets), k};
   return {};
 }
 

@@ -25,6 +25,13 @@ Status checked_parameters(const Parameters& parameters, State& state);
 Status checked_pins(const std::vector<int>& pinned, const std::vector<double>& targets,
                     State& state);
 
+/// Another pull.
+/// @param pulled   #pulled
+/// @param targets  #pulled by 3, m
+/// @param k        N/m, 0 or more
+Status checked_pull(const std::vector<int>& pulled, const std::vector<double>& targets, double k,
+                    State& state);
+
 /// Another moment.
 /// @param step_number  from 1
 /// @param p_curr  #V by 3, m

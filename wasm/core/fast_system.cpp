@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "spring_direction.h"
+
 namespace mass_spring {
 
 void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const Indices& pinned) {
@@ -52,18 +54,23 @@ std::vector<int> FastSystem::order() const {
   return vertices;
 }
 
-bool FastSystem::factorise(double k, const Vector& m, double delta_t, const Progress& progress) {
-  k_ = k;
+bool FastSystem::factorise(const TimeStep& step, const Progress& progress) {
+  k_ = step.k;
+  coupling_ = coupling(step);
+  const Vector& m = step.m;
   inertia_.resize(m.size());
-  for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (delta_t * delta_t);
+  for (int i = 0; i < m.size(); ++i) inertia_(row_[i]) = m(i) / (step.delta_t * step.delta_t);
   inertia_.tail(m.size() - free_count_).setZero();
   Vector diagonal = inertia_.head(free_count_);
+  for (const int i : step.pull.vertices) {
+    if (row_[i] < free_count_) diagonal(row_[i]) += step.pull.k;
+  }
   for (const auto& [i, j] : springs_.ends) {
     for (const int row : {i, j}) {
-      if (row < free_count_) diagonal(row) += k;
+      if (row < free_count_) diagonal(row) += coupling_;
     }
   }
-  return solver_.factorise(pattern_, k, diagonal, progress);
+  return solver_.factorise(pattern_, coupling_, diagonal, progress);
 }
 
 // With s = 2p^t - p^{t-Δt} + f^ext Δt²/m, the inertial prediction, inertia and external energy of a
@@ -84,6 +91,23 @@ void FastSystem::begin(const TimeStep& step) {
     const Eigen::RowVector3d moved = step.targets.row(c) - held.head<3>();
     objective_offset_ += 0.5 * step.m(i) / squared_delta_t * moved.squaredNorm();
     held << step.targets.row(c), 0;
+  }
+
+  drawn_.clear();
+  pull_k_ = step.pull.k;
+  for (int c = 0; c < step.pull.vertices.size(); ++c) {
+    const auto target = step.pull.targets.row(c);
+    drawn_.push_back(
+        {row_[step.pull.vertices(c)], {Pair{target.x(), target.y()}, Pair{target.z(), 0}}});
+  }
+  dashpots_.clear();
+  resistance_ = step.damping / step.delta_t;
+  if (resistance_ == 0) return;
+  const WidePoints p = rows_from_points(step.p_curr);
+  for (const auto ends : springs_.ends) {
+    const Eigen::RowVector3d x = (p.row(ends.i) - p.row(ends.j)).head<3>();
+    const Eigen::Vector3d n = spring_direction(p.row(ends.i).head<3>(), p.row(ends.j).head<3>());
+    dashpots_.push_back({ends, {Pair{n.x(), n.y()}, Pair{n.z(), 0}}, x * n});
   }
 }
 
@@ -113,9 +137,37 @@ double FastSystem::gradient(const WidePoints& p, WidePoints& g) const {
     inertia += half_products(force, away);
     store_point(force, g.data(), i);
   }
-  const double potential = add_elastic_gradient(springs_, k_, p, g);
+  double potential = add_elastic_gradient(springs_, k_, p, g);
+  potential += add_dashpot_gradient(p, g) + add_pull_gradient(p, g);
   g.bottomRows(p.rows() - free_count_).setZero();
   return 0.5 * sum(inertia) + potential;
+}
+
+/// C/Δt n nᵀ(x - x^t), as damping_energy.h explains it.
+/// @return  J
+double FastSystem::add_dashpot_gradient(const WidePoints& p, WidePoints& g) const {
+  double sum_of_squares = 0;  // m²
+  for (const auto& [ends, n, length] : dashpots_) {
+    const WidePoint x = load_point(p.data(), ends.i) - load_point(p.data(), ends.j);
+    const double lengthening = sum(half_products(n, x)) - length;
+    const WidePoint force = (resistance_ * lengthening) * n;
+    store_point(load_point(g.data(), ends.i) + force, g.data(), ends.i);
+    store_point(load_point(g.data(), ends.j) - force, g.data(), ends.j);
+    sum_of_squares += lengthening * lengthening;
+  }
+  return 0.5 * resistance_ * sum_of_squares;
+}
+
+/// k (p - target)
+/// @return  J
+double FastSystem::add_pull_gradient(const WidePoints& p, WidePoints& g) const {
+  double sum_of_squares = 0;  // m²
+  for (const auto& [row, target] : drawn_) {
+    const WidePoint away = load_point(p.data(), row) - target;
+    store_point(load_point(g.data(), row) + pull_k_ * away, g.data(), row);
+    sum_of_squares += sum(half_products(away, away));
+  }
+  return 0.5 * pull_k_ * sum_of_squares;
 }
 
 void FastSystem::apply_inverse(WidePoints& g) { solver_.solve(pattern_, g); }
@@ -129,7 +181,7 @@ void FastSystem::iterate(WidePoints& p, int iterations) {
       // The local step saw the pins where they were, the global step has them where they are held:
       // in A p, not in d.
       for (const auto& [free, pinned] : held_springs_) {
-        g_.row(free) += k_ * (p.row(pinned) - inertial_.row(pinned));
+        g_.row(free) += coupling_ * (p.row(pinned) - inertial_.row(pinned));
       }
       hold_pins(p);
     }

@@ -39,12 +39,10 @@ class FastSystem {
   /// Which of the free vertices is eliminated first, second, …: known after analyse().
   std::vector<int> order() const;
 
-  /// @param k        N/m
-  /// @param m        #V, kg
-  /// @param delta_t  s
+  /// @param step  its stiffness, masses, Δt, damping, and which vertices are pulled
   /// @return whether Q is positive definite as far as the arithmetic can tell; if not, there is no
   /// factor until the next call
-  bool factorise(double k, const Vector& m, double delta_t, const Progress& progress);
+  bool factorise(const TimeStep& step, const Progress& progress);
 
   /// Takes the known positions, forces and targets of a time step; its other fields must be those
   /// of analyse() and factorise(), but that its pins may be listed in another order.
@@ -79,13 +77,33 @@ class FastSystem {
   void iterate(WidePoints& p, int iterations);
 
  private:
+  /// A row that is drawn towards a point.
+  struct Drawn {
+    int row;
+    WidePoint target;  // m
+  };
+  /// The dashpot beside a spring.
+  struct Dashpot {
+    RowSprings::Ends ends;
+    WidePoint n;    // direction of the spring at p^t
+    double length;  // m: nᵀ(p^t_i - p^t_j)
+  };
+
+  double add_dashpot_gradient(const WidePoints& p, WidePoints& g) const;
+  double add_pull_gradient(const WidePoints& p, WidePoints& g) const;
+
   std::vector<int> row_;                          // #V: the row of every vertex
   int free_count_ = 0;                            // rows of free vertices
   RowSprings springs_;                            // sorted by rows
   std::vector<std::array<int, 2>> held_springs_;  // rows of a free and a pinned vertex
   SymbolicCholesky pattern_;
   BlockSolver solver_;
-  double k_ = 0;                 // N/m
+  double k_ = 0;           // N/m
+  double coupling_ = 0;    // N/m: what Q has off its diagonal, its sign turned
+  double resistance_ = 0;  // N/m: C/Δt
+  std::vector<Dashpot> dashpots_;
+  double pull_k_ = 0;  // N/m
+  std::vector<Drawn> drawn_;
   Vector inertia_;               // #V, by rows, N/m: m/Δt², 0 for pinned vertices
   WidePoints inertial_;          // #V rows, m: where vertices go without springs, or are held
   double objective_offset_ = 0;  // J

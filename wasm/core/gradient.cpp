@@ -1,5 +1,6 @@
 #include "gradient.h"
 
+#include "damping_energy.h"
 #include "edge_vectors.h"
 #include "local_step.h"
 
@@ -20,6 +21,11 @@ void gradient(const TimeStep& step, const Points& p, Points& g) {
   // w Cᵀ(C p - p^target)
   for (int c = 0; c < step.pinned.size(); ++c) {
     g.row(step.pinned(c)) += step.w * (p.row(step.pinned(c)) - step.targets.row(c));
+  }
+  add_damping_gradient(step, p, g);
+  const Pull& pull = step.pull;
+  for (int c = 0; c < pull.vertices.size(); ++c) {
+    g.row(pull.vertices(c)) += pull.k * (p.row(pull.vertices(c)) - pull.targets.row(c));
   }
 }
 

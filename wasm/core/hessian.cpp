@@ -2,6 +2,7 @@
 
 #include "edge_lengths.h"
 #include "local_step.h"
+#include "spring_direction.h"
 
 namespace mass_spring {
 namespace {
@@ -32,8 +33,12 @@ Triplets hessian(const TimeStep& step, const Points& p, double left_out) {
     double across = step.r(e) == 0 ? 1 : 1 - step.r(e) / l(e);
     if (across < 0) across = left_out == 1 ? 0 : (1 - left_out) * across;
     const Eigen::Matrix3d nnT = n.row(e).transpose() * n.row(e);
-    const Eigen::Matrix3d block = step.k * (nnT + across * (Eigen::Matrix3d::Identity() - nnT));
+    Eigen::Matrix3d block = step.k * (nnT + across * (Eigen::Matrix3d::Identity() - nnT));
     const int i = step.E(e, 0), j = step.E(e, 1);
+    if (step.damping > 0) {
+      const Eigen::Vector3d at_start = spring_direction(step.p_curr.row(i), step.p_curr.row(j));
+      block += step.damping / step.delta_t * at_start * at_start.transpose();
+    }
     add_block(H, i, i, block);
     add_block(H, j, j, block);
     add_block(H, i, j, -block);
@@ -43,6 +48,7 @@ Triplets hessian(const TimeStep& step, const Points& p, double left_out) {
     add_diagonal(H, i, step.m(i) / (step.delta_t * step.delta_t));
   }
   for (const int i : step.pinned) add_diagonal(H, i, step.w);
+  for (const int i : step.pull.vertices) add_diagonal(H, i, step.pull.k);
   return H;
 }
 

@@ -6,8 +6,9 @@ namespace mass_spring {
 
 /// H = ∂²E/∂p² as triplets, 3#V by 3#V, N/m; coordinate c of vertex i is row 3i + c. A spring of
 /// length l along the unit vector n adds ±k [n nᵀ + (1 - r/l)(I - n nᵀ)] to the 3 by 3 blocks of
-/// its ends, a mass m/Δt² and a pin w to the diagonal. Which entries there are depends on springs
-/// and pins only.
+/// its ends, a mass m/Δt², a pin w and a pull its stiffness to the diagonal; a dashpot
+/// C/Δt n nᵀ like its spring, with the n of p^t. Which entries there are depends on springs,
+/// pins and pulls only.
 ///
 /// Across a spring shorter than r, which pushes, E curves downwards: 1 - r/l is negative, and
 /// infinite if the spring has collapsed. Without that share H is positive definite.

@@ -4,9 +4,10 @@
 
 namespace mass_spring {
 
-void History::push(Points p) {
-  const std::size_t bytes = sizeof(double) * p.size();  // every step of a scene takes as many
-  steps_.push_back(std::move(p));
+void History::push(Departure departure) {
+  // Every step of a scene takes as many.
+  const std::size_t bytes = sizeof(double) * (departure.p_curr.size() + departure.p_prev.size());
+  steps_.push_back(std::move(departure));
   while (size() > most_steps || size() * bytes > most_bytes) steps_.pop_front();
 }
 

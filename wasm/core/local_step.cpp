@@ -1,11 +1,9 @@
 #include "local_step.h"
 
 #include "edge_vectors.h"
+#include "spring_direction.h"
 
 namespace mass_spring {
-
-// m: squares of shorter lengths underflow, so that their direction is lost.
-constexpr double collapsed_length = 1e-150;
 
 void local_step(const Edges& E, const Vector& r, const Points& p, Points& d) {
   edge_vectors(E, p, d);

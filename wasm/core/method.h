@@ -5,8 +5,21 @@
 
 namespace mass_spring {
 
-/// How p gets from one iterate to the next. [L] is the paper's; the others minimise the same E(p).
-enum class Method { local_global, chebyshev, anderson, lbfgs, newton };
+/// How p^{t+Δt} follows from p^t. The first five minimise E(p) iterate by iterate, local_global
+/// being the paper's [L]; the others take the time step at once.
+enum class Method {
+  local_global,
+  chebyshev,
+  anderson,
+  lbfgs,
+  newton,
+  linearly_implicit,
+  symplectic_euler,
+  forward_euler,
+};
+
+inline bool takes_one_step(Method method) { return method >= Method::linearly_implicit; }
+inline bool is_explicit(Method method) { return method >= Method::symplectic_euler; }
 
 /// The spelling of every Method, in order.
 const std::vector<std::string>& method_names();

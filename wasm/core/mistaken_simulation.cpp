@@ -1,11 +1,11 @@
 #include "mistaken_simulation.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "checked_state.h"
 #include "edge_lengths.h"
+#include "reach_of.h"
 #include "validate_iterate.h"
 #include "validate_system.h"
 
@@ -13,14 +13,8 @@ namespace mass_spring {
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
-// Times the largest of the rest positions, or of 1 m: what explodes gets there in some dozen time
-// steps, and nothing else does.
-constexpr double largest_reach = 1e6;
 // Bytes of Q and L with every zero stored: 1,290 vertices, whose factorisation takes seconds.
 constexpr double largest_stored_zeros = 30e6;
-
-/// m
-double reach_of(const Points& V) { return largest_reach * std::max(1.0, V.cwiseAbs().maxCoeff()); }
 
 Status validate_zeros(int n) {
   const double bytes = 1.5 * n * n * (sizeof(double) + sizeof(int));
@@ -93,7 +87,7 @@ Status MistakenSimulation::step() {
 
 Objective MistakenSimulation::objective_at(const std::vector<double>& p) const {
   if (!has_scene() || p.size() != static_cast<std::size_t>(state_.V.size())) {
-    return {nan, nan, nan, nan, nan};
+    return {nan, nan, nan, nan, nan, nan, nan};
   }
   return objective(state_.time_step, Eigen::Map<const Points>(p.data(), state_.V.rows(), 3));
 }
@@ -128,6 +122,7 @@ Status MistakenSimulation::replace_in_place(State next) {
 Status MistakenSimulation::replace(State next, Mistake mistake, const std::string& reason) {
   next.parameters.path = Path::plain;
   next.parameters.storage = Storage::sparse;
+  next.parameters.damping = 0;  // none of the course's mistakes is about dashpots
   next.derive();
   Status status = validate_system(next.time_step, Storage::sparse);
   if (status.ok() && mistake == Mistake::stored_zeros) status = validate_zeros(next.V.rows());

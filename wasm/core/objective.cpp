@@ -1,5 +1,6 @@
 #include "objective.h"
 
+#include "damping_energy.h"
 #include "external_energy.h"
 #include "inertia.h"
 #include "pin_energy.h"
@@ -13,7 +14,9 @@ Objective objective(const TimeStep& step, const Points& p) {
   E.inertia = inertia(step.m, step.delta_t, step.p_prev, step.p_curr, p);
   E.external = external_energy(step.f_ext, p);
   E.pin = pin_energy(step.pinned, step.targets, step.w, p);
-  E.objective = E.potential + E.inertia + E.external + E.pin;
+  E.damping = damping_energy(step, p);
+  E.pull = pin_energy(step.pull.vertices, step.pull.targets, step.pull.k, p);
+  E.objective = E.potential + E.inertia + E.external + E.pin + E.damping + E.pull;
   return E;
 }
 

@@ -11,6 +11,8 @@ struct Objective {
   double inertia;
   double external;
   double pin;
+  double damping;
+  double pull;
 };
 
 /// E(p), what both half-steps of a time step lower. [L] section 3, [J] "Time integration"

@@ -1,6 +1,20 @@
 #include "objective_change.h"
 
+#include "damping_energy.h"
+
 namespace mass_spring {
+
+/// Σ w (q - p)ᵀ((p + q)/2 - p^target), J
+static double held_change(const Indices& held, const Points& targets, double w, const Points& p,
+                          const Points& q) {
+  double change = 0;
+  for (int c = 0; c < held.size(); ++c) {
+    const int i = held(c);
+    const Eigen::RowVector3d move = q.row(i) - p.row(i), middle = 0.5 * (p.row(i) + q.row(i));
+    change += w * move.dot(middle - targets.row(c));
+  }
+  return change;
+}
 
 double objective_change(const TimeStep& step, const Points& p, const Points& q) {
   double change = 0;
@@ -21,13 +35,9 @@ double objective_change(const TimeStep& step, const Points& p, const Points& q) 
     change += move.dot(inertia * (middle - 2 * step.p_curr.row(i) + step.p_prev.row(i)) -
                        step.f_ext.row(i));
   }
-  // w (q - p)ᵀ((p + q)/2 - p^target)
-  for (int c = 0; c < step.pinned.size(); ++c) {
-    const int i = step.pinned(c);
-    const Eigen::RowVector3d move = q.row(i) - p.row(i), middle = 0.5 * (p.row(i) + q.row(i));
-    change += step.w * move.dot(middle - step.targets.row(c));
-  }
-  return change;
+  change += held_change(step.pinned, step.targets, step.w, p, q);
+  change += held_change(step.pull.vertices, step.pull.targets, step.pull.k, p, q);
+  return change + damping_energy_change(step, p, q);
 }
 
 }  // namespace mass_spring

@@ -20,6 +20,7 @@ struct Parameters {
   double stop_gradient = 0;  // N: as in StoppingRule
   double stop_decrease = 0;  // dimensionless
   double gravity = 0;        // m/s^2: g = (0, -gravity, 0)
+  double damping = 0;        // C, N s/m: of a dashpot beside every spring
   bool wind = false;
   Path path = Path::plain;
   Storage storage = Storage::sparse;  // of the plain path
@@ -34,7 +35,8 @@ inline bool operator==(const Parameters& a, const Parameters& b) {
   return a.k == b.k && a.delta_t == b.delta_t && a.w == b.w && a.mass_scale == b.mass_scale &&
          a.iterations == b.iterations && a.method == b.method &&
          a.stop_gradient == b.stop_gradient && a.stop_decrease == b.stop_decrease &&
-         a.gravity == b.gravity && a.wind == b.wind && a.path == b.path && a.storage == b.storage;
+         a.gravity == b.gravity && a.damping == b.damping && a.wind == b.wind && a.path == b.path &&
+         a.storage == b.storage;
 }
 
 }  // namespace mass_spring

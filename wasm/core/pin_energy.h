@@ -4,7 +4,7 @@
 
 namespace mass_spring {
 
-/// w/2 Σ |p_i - target_i|² over the pinned vertices, J. [J] "Pinned vertices"
+/// w/2 Σ |p_i - target_i|² over the vertices that are pinned, or pulled, J. [J] "Pinned vertices"
 /// @param pinned   #pinned
 /// @param targets  #pinned by 3, m
 /// @param w        N/m

@@ -5,9 +5,13 @@
 #include <utility>
 
 #include "checked_state.h"
+#include "forward_euler.h"
 #include "gradient.h"
+#include "largest_frequency.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
+#include "reach_of.h"
+#include "stability_limit.h"
 #include "stiffness_numbers.h"
 #include "system_matrix.h"
 #include "triplets_from_matrix.h"
@@ -49,11 +53,19 @@ Status Simulation::set_pins(const std::vector<int>& pinned, const std::vector<do
   return status.ok() ? replace_in_place(std::move(next)) : status;
 }
 
+Status Simulation::set_pull(const std::vector<int>& pulled, const std::vector<double>& targets,
+                            double k) {
+  State next = state_;
+  const Status status = checked_pull(pulled, targets, k, next);
+  return status.ok() ? replace_in_place(std::move(next)) : status;
+}
+
 Status Simulation::reset() {
   if (!has_scene()) return no_scene;
   State next = state_;
   next.reset();
-  const Status status = replace(std::move(next), "", [this] { return seek(0); });
+  const std::string reason = reason_to_factorise(state_, next);
+  const Status status = replace(std::move(next), reason, [this] { return seek(0); });
   if (status.ok()) history_.clear();
   return status;
 }
@@ -86,8 +98,8 @@ bool Simulation::back_to(int step_number) {
   if (steps < 1 || steps > history_.size()) return false;
   State earlier = state_;
   earlier.step_number = step_number;
-  earlier.time_step.p_curr = steps == 1 ? state_.time_step.p_prev : history_.latest(steps - 1);
-  earlier.time_step.p_prev = history_.latest(steps);
+  earlier.time_step.p_curr = history_.latest(steps).p_curr;
+  earlier.time_step.p_prev = history_.latest(steps).p_prev;
   const bool returned =
       replace(std::move(earlier), "", [this] { return seek(last_half_step()); }).ok();
   if (returned) history_.drop_latest(steps);
@@ -96,7 +108,7 @@ bool Simulation::back_to(int step_number) {
 
 Status Simulation::seek(int half_step) {
   if (!has_scene()) return no_scene;
-  if (half_step < 0 || half_step > 2 * state_.parameters.iterations + 1) {
+  if (half_step < 0 || half_step > 2 * most_iterations() + 1) {
     return {StatusCode::index_out_of_range, "half_step", -1, static_cast<double>(half_step)};
   }
   if (minimises() && !outcome_ && trace_.recorded() == 0) {
@@ -108,7 +120,7 @@ Status Simulation::seek(int half_step) {
     if (cursor.half_step == trace_.recorded()) record(cursor);
     if (cursor.half_step == std::min(half_step, last_half_step())) break;
     next_half_step(cursor);
-    const Status status = validate_iterate(cursor.iterate.p);
+    const Status status = check_positions(cursor.iterate.p);
     if (!status.ok()) return status;
   }
   cursor_ = std::move(cursor);
@@ -148,7 +160,8 @@ Status Simulation::replace(State next, const std::string& reason, Settle settle)
   std::swap(state_, next);
   Trace trace_before = std::exchange(trace_, {});
   const std::optional<Outcome> outcome_before = std::exchange(outcome_, {});
-  minimiser_.reset();
+  const Method method = next.parameters.method;  // until now
+  if (!reason.empty() || method != state_.parameters.method) minimiser_.reset();
   status = prepare(reason);
   if (status.ok()) status = system_.check(state_.parameters.method, state_.time_step);
   if (status.ok()) status = settle();
@@ -185,8 +198,8 @@ Status Simulation::replace_in_place(State next) {
 template <typename Settle>
 Status Simulation::advance(Settle settle) {
   TimeStep& step = state_.time_step;
-  Points before = std::move(step.p_prev);
-  step.p_prev = std::move(step.p_curr);
+  Departure before = {step.p_curr, step.p_prev};
+  step.p_prev = settled_previous();
   step.p_curr = cursor_.iterate.p;
   state_.step_number += 1;
   state_.derive_forces();
@@ -198,8 +211,8 @@ Status Simulation::advance(Settle settle) {
     history_.push(std::move(before));
     return status;
   }
-  step.p_curr = std::move(step.p_prev);
-  step.p_prev = std::move(before);
+  step.p_curr = std::move(before.p_curr);
+  step.p_prev = std::move(before.p_prev);
   state_.step_number -= 1;
   state_.derive_forces();
   trace_ = std::move(trace_before);
@@ -231,16 +244,22 @@ void Simulation::begin() {
   minimiser_has_begun_ = false;
 }
 
+int Simulation::most_iterations() const {
+  return takes_one_step(state_.parameters.method) ? 1 : state_.parameters.iterations;
+}
+
 StoppingRule Simulation::stopping_rule() const {
   const Parameters& parameters = state_.parameters;
+  if (takes_one_step(parameters.method)) return {1};
   return {parameters.iterations, parameters.stop_gradient, parameters.stop_decrease};
 }
 
-/// Whether a minimiser makes the iterates. Where nothing but K ends a time step, local and global
-/// step do it by themselves, as the course spells them out.
+/// Whether a minimiser makes the iterates. Where nothing but K ends a time step, and only springs
+/// and pins act, local and global step do it by themselves, as the course spells them out.
 bool Simulation::minimises() const {
   const Parameters& parameters = state_.parameters;
-  return parameters.method != Method::local_global || parameters.stop_gradient > 0 ||
+  return parameters.damping > 0 || state_.time_step.pull.vertices.size() > 0 ||
+         parameters.method != Method::local_global || parameters.stop_gradient > 0 ||
          parameters.stop_decrease > 0;
 }
 
@@ -259,7 +278,7 @@ Minimiser& Simulation::minimiser_after(int iterations) {
 Status Simulation::run() {
   const TimeStep& step = state_.time_step;
   Iterate& iterate = spare_.iterate;
-  Outcome outcome = {StopReason::iterations, state_.parameters.iterations};
+  Outcome outcome = {StopReason::iterations, most_iterations()};
   if (minimises()) {
     Minimiser& minimiser = minimiser_after(0);
     std::optional<Outcome> end = stop_at_start(stopping_rule(), minimiser);
@@ -274,7 +293,7 @@ Status Simulation::run() {
   } else {
     system_.fast_mass_springs_step(step, workspace_, iterate, outcome.iterations);
   }
-  const Status status = validate_iterate(iterate.p);
+  const Status status = check_positions(iterate.p);
   if (!status.ok()) return status;
   outcome_ = outcome;
   spare_.half_step = last_half_step();
@@ -301,17 +320,18 @@ void Simulation::next_half_step(Cursor& cursor) {
     return;
   }
   system_.global_step(step, workspace_, iterate);
-  if (k == state_.parameters.iterations) outcome_ = {StopReason::iterations, k};
+  if (k == most_iterations()) outcome_ = {StopReason::iterations, k};
 }
 
 void Simulation::record(const Cursor& cursor) {
   const TimeStep& step = state_.time_step;
   double residual = nan;  // N
-  if (cursor.at_global() && state_.parameters.method == Method::local_global) {
+  const bool by_springs = step.damping == 0 && step.pull.vertices.size() == 0;
+  if (cursor.at_global() && by_springs && state_.parameters.method == Method::local_global) {
     y();
     residual = system_.residual(step, cursor.iterate, workspace_);
   }
-  trace_.append(step, cursor, residual, state_.parameters.iterations);
+  trace_.append(step, cursor, residual, most_iterations());
 }
 
 const Points& Simulation::y() {
@@ -332,7 +352,7 @@ VertexProbe Simulation::probe_vertex(int i) {
 
 Objective Simulation::objective_at(const std::vector<double>& p) const {
   if (!has_scene() || p.size() != static_cast<std::size_t>(state_.V.size())) {
-    return {nan, nan, nan, nan, nan};
+    return {nan, nan, nan, nan, nan, nan, nan};
   }
   return objective(state_.time_step, as_points(p));
 }
@@ -356,8 +376,48 @@ void Simulation::rehearse_global_step(int times) {
 MechanicalEnergy Simulation::energy() const {
   const TimeStep& step = state_.time_step;
   if (!has_scene()) return {};
-  return at_accept() ? mechanical_energy(step, cursor_.iterate.p, step.p_curr)
-                     : mechanical_energy(step, step.p_curr, step.p_prev);
+  return mechanical_energy(step, settled(), settled_previous());
+}
+
+Points Simulation::velocity() const {
+  if (!has_scene()) return Points(0, 3);
+  return (settled() - settled_previous()) / state_.time_step.delta_t;
+}
+
+double Simulation::frequency() const {
+  return has_scene() ? largest_frequency(state_.time_step, settled()) : 0;
+}
+
+double Simulation::stability_limit() const {
+  const Parameters& parameters = state_.parameters;
+  // A dashpot beside every spring damps a frequency the more the higher it is.
+  return mass_spring::stability_limit(parameters.method,
+                                      0.5 * parameters.damping * frequency() / parameters.k);
+}
+
+const Points& Simulation::settled() const {
+  return at_accept() ? cursor_.iterate.p : state_.time_step.p_curr;
+}
+
+/// A Δt before settled(), such that their difference is the velocity.
+Points Simulation::settled_previous() const {
+  const TimeStep& step = state_.time_step;
+  if (!at_accept()) return step.p_prev;
+  return state_.parameters.method == Method::forward_euler ? forward_euler_previous(step)
+                                                           : step.p_curr;
+}
+
+/// Whether a motion can come there.
+Status Simulation::check_positions(const Points& p) const {
+  const Parameters& parameters = state_.parameters;
+  const Status status = validate_iterate(p);
+  if (!is_explicit(parameters.method)) return status;
+  if (status.ok() && p.cwiseAbs().maxCoeff() <= reach_of(state_.V)) return status;
+  const TimeStep& step = state_.time_step;
+  const double omega = largest_frequency(step, step.p_curr);  // rad/s
+  const double zeta = 0.5 * parameters.damping * omega / parameters.k;
+  return {StatusCode::unstable, method_names()[static_cast<int>(parameters.method)], -1,
+          step.delta_t * omega, mass_spring::stability_limit(parameters.method, zeta)};
 }
 
 double Simulation::stiffness_number() const {
@@ -369,8 +429,7 @@ Triplets Simulation::Q() const {
   const TimeStep& step = state_.time_step;
   const int n = static_cast<int>(step.m.size());
   SparseMatrix Q;
-  matrix_from_triplets(n, n,
-                       system_matrix(step.E, step.k, step.m, step.delta_t, step.pinned, step.w), Q);
+  matrix_from_triplets(n, n, system_matrix(step), Q);
   return triplets_from_matrix(Q);
 }
 

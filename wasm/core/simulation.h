@@ -36,6 +36,7 @@ class Simulation {
                    const Parameters& parameters);
   Status set_parameters(const Parameters& parameters);
   Status set_pins(const std::vector<int>& pinned, const std::vector<double>& targets);
+  Status set_pull(const std::vector<int>& pulled, const std::vector<double>& targets, double k);
   Status reset();
   Status set_state(int step_number, const std::vector<double>& p_curr,
                    const std::vector<double>& p_prev, int half_step);
@@ -74,6 +75,12 @@ class Simulation {
   void rehearse_global_step(int times);
   /// Of the settled positions: at accept p, elsewhere p^t.
   MechanicalEnergy energy() const;
+  /// #V by 3, m/s: likewise.
+  Points velocity() const;
+  /// rad/s: at the settled positions.
+  double frequency() const;
+  /// What Δt times frequency() may be before the method no longer holds it; infinite if any.
+  double stability_limit() const;
   double stiffness_number() const;
   /// Without those of calls that failed.
   int factorisation_count() const { return factorisation_count_; }
@@ -90,8 +97,12 @@ class Simulation {
   bool has_scene() const { return state_.V.rows() > 0; }
   bool at_accept() const { return has_scene() && cursor_.half_step == last_half_step(); }
   /// Of this time step; K as long as its end is not known.
-  int iterations() const { return outcome_ ? outcome_->iterations : state_.parameters.iterations; }
+  int iterations() const { return outcome_ ? outcome_->iterations : most_iterations(); }
+  int most_iterations() const;
   StoppingRule stopping_rule() const;
+  const Points& settled() const;
+  Points settled_previous() const;
+  Status check_positions(const Points& p) const;
   bool minimises() const;
   template <typename Settle>
   Status replace(State next, const std::string& reason, Settle settle);

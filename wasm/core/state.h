@@ -15,7 +15,7 @@ struct State {
   int step_number = 1;
   TimeStep time_step;  // its k, Δt, w, m and f_ext are for derive() to fill in
 
-  /// The first time step from rest, the pins held where they rest.
+  /// The first time step from rest, the pins held where they rest, nothing pulled.
   void reset();
 
   /// k, Δt, w and m of the time step follow from the parameters, f_ext from positions and time too.

@@ -12,13 +12,14 @@ const std::vector<std::string>& status_code_names() {
       "index_out_of_range",
       "self_spring",
       "duplicate_spring",
-      "duplicate_pin",
+      "duplicate_vertex",
       "not_positive",
       "negative",
       "too_stiff",
       "too_large",
       "factorisation_failed",
       "diverged",
+      "unstable",
   };
   return names;
 }

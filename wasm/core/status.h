@@ -14,13 +14,14 @@ enum class StatusCode {
   index_out_of_range,
   self_spring,
   duplicate_spring,
-  duplicate_pin,
+  duplicate_vertex,
   not_positive,
   negative,
   too_stiff,
   too_large,
   factorisation_failed,
   diverged,
+  unstable,
 };
 
 /// What a call that can fail returns. Without exceptions in the module, every error is such a
@@ -31,7 +32,7 @@ struct Status {
   int index = -1;     // its row, or -1
   // The offender: a number, a vertex, bytes, or for a repetition the row it repeats.
   double value = 0;
-  double limit = 0;  // the most that value may be, of what is too stiff or too large
+  double limit = 0;  // the most that value may be, of what is too stiff, too large or unstable
 
   bool ok() const { return code == StatusCode::ok; }
 };

@@ -32,7 +32,7 @@ std::optional<Outcome> stop_at_start(const StoppingRule& rule, const Minimiser& 
 }
 
 std::optional<Outcome> iterate_once(const StoppingRule& rule, Minimiser& minimiser) {
-  const double objective_before = minimiser.objective();
+  const double objective_before = rule.decrease > 0 ? minimiser.objective() : 0;  // J
   const bool moved = minimiser.iterate();
   const int k = minimiser.iterations();
   if (!moved) return Outcome{StopReason::rounding, k};

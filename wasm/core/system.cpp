@@ -9,9 +9,11 @@
 #include "fast_mass_springs_step_dense.h"
 #include "fast_mass_springs_step_sparse.h"
 #include "fast_problem.h"
+#include "forward_euler.h"
 #include "global_step.h"
 #include "inertial_right_hand_side.h"
 #include "lbfgs.h"
+#include "linearly_implicit_euler.h"
 #include "local_global.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
@@ -21,7 +23,10 @@
 #include "right_hand_side.h"
 #include "same_set.h"
 #include "selection_matrix.h"
+#include "single_step.h"
 #include "sparse_matrices.h"
+#include "symplectic_euler.h"
+#include "system_matrix.h"
 #include "system_product.h"
 #include "triplets_from_matrix.h"
 
@@ -53,16 +58,23 @@ void System::clear(const Parameters& parameters) {
 
 Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
   const auto status = [](bool done) { return done ? Status{} : not_positive_definite; };
+  const bool plain_terms = step.damping == 0 && step.pull.vertices.size() == 0;
+  const auto factorised = [&](bool done, auto& Q) {
+    if (!plain_terms) done = Q.factorise(static_cast<int>(V.rows()), system_matrix(step));
+    return status(done);
+  };
   const bool needs_order = fast_ && !(analysed_ && same_set(analysed_pins_, step.pinned));
   progress_(needs_order ? "ordering" : "factorising", 0);
   if (auto* dense = std::get_if<DensePrecomputation>(&precomputation_)) {
-    return status(fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
-                                                         step.delta_t, step.w, r, *dense));
+    return factorised(fast_mass_springs_precomputation_dense(V, step.E, step.k, step.m, step.pinned,
+                                                             step.delta_t, step.w, r, *dense),
+                      dense->Q);
   }
   auto& sparse = std::get<SparsePrecomputation>(precomputation_);
   if (!fast_) {
-    return status(fast_mass_springs_precomputation_sparse(V, step.E, step.k, step.m, step.pinned,
-                                                          step.delta_t, step.w, r, sparse));
+    return factorised(fast_mass_springs_precomputation_sparse(
+                          V, step.E, step.k, step.m, step.pinned, step.delta_t, step.w, r, sparse),
+                      sparse.Q);
   }
   sparse_matrices(V, step.E, step.m, step.pinned, r, sparse);
   if (needs_order) {
@@ -75,7 +87,7 @@ Status System::precompute(const Points& V, const TimeStep& step, Vector& r) {
     return {StatusCode::too_large, "factor", -1, bytes, largest_factor};
   }
   const Progress factorising = [this](double fraction) { progress_("factorising", fraction); };
-  return status(fast_->factorise(step.k, step.m, step.delta_t, factorising));
+  return status(fast_->factorise(step, factorising));
 }
 
 void System::reorder_pins(const TimeStep& step) {
@@ -94,13 +106,14 @@ double System::factor_bytes() const {
 }
 
 Status System::check(Method method, const TimeStep& step) const {
-  if (method != Method::newton) return {};
+  if (method != Method::newton && method != Method::linearly_implicit) return {};
   // H has a 3 by 3 block for every entry of Q, and so has, nearly, its factor. Before H is put
   // together its entries are a list: 36 to a spring, none of them summed.
   const double bytes = 10 * factor_bytes() +
                        2.0 * 36 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
   if (bytes <= largest_newton_factor) return {};
-  return {StatusCode::too_large, "newton", -1, bytes, largest_newton_factor};
+  return {StatusCode::too_large, method_names()[static_cast<int>(method)], -1, bytes,
+          largest_newton_factor};
 }
 
 void System::begin(const TimeStep& step, Workspace& workspace) {
@@ -138,6 +151,16 @@ std::unique_ptr<Minimiser> minimiser_on(Method method, const Problem& problem) {
 }  // namespace
 
 std::unique_ptr<Minimiser> System::minimiser(Method method, const TimeStep& step) {
+  switch (method) {
+    case Method::linearly_implicit:
+      return std::make_unique<SingleStepBy<LinearlyImplicitEuler>>(step);
+    case Method::symplectic_euler:
+      return std::make_unique<SingleStepBy<SymplecticEuler>>(step);
+    case Method::forward_euler:
+      return std::make_unique<SingleStepBy<ForwardEuler>>(step);
+    default:
+      break;
+  }
   if (method == Method::newton) {
     return std::make_unique<MinimiserOn<Newton, NewtonProblem>>(
         NewtonProblem(step, fast_ ? Pins::held : Pins::penalised));

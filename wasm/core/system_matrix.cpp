@@ -21,4 +21,10 @@ Triplets system_matrix(const Edges& E, double k, const Vector& m, double delta_t
   return Q;
 }
 
+Triplets system_matrix(const TimeStep& step) {
+  Triplets Q = system_matrix(step.E, coupling(step), step.m, step.delta_t, step.pinned, step.w);
+  for (const int i : step.pull.vertices) Q.emplace_back(i, i, step.pull.k);
+  return Q;
+}
+
 }  // namespace mass_spring

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "time_step.h"
 #include "types.h"
 
 namespace mass_spring {
@@ -15,5 +16,9 @@ namespace mass_spring {
 /// @param w        N/m
 Triplets system_matrix(const Edges& E, double k, const Vector& m, double delta_t,
                        const Indices& pinned, double w);
+
+/// The same of a time step that may have dashpots, which add C/Δt to k, and pulls, which add their
+/// stiffness where a pin would add w.
+Triplets system_matrix(const TimeStep& step);
 
 }  // namespace mass_spring

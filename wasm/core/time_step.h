@@ -4,6 +4,13 @@
 
 namespace mass_spring {
 
+/// Springs of rest length 0 that pull vertices, each towards a point of its own.
+struct Pull {
+  Indices vertices;  // #pulled
+  Points targets;    // #pulled by 3, m
+  double k = 0;      // N/m
+};
+
 /// All that one time step is given. Its objective E(p) is a function of this and of the positions p
 /// it looks for.
 struct TimeStep {
@@ -13,12 +20,17 @@ struct TimeStep {
   double k = 0;        // N/m
   double delta_t = 0;  // s
   double w = 0;        // N/m
+  double damping = 0;  // C, N s/m: of the dashpot beside every spring
   Indices pinned;      // #pinned
   Points targets;      // #pinned by 3, m: where each pinned vertex is held
-  Points p_prev;       // #V by 3, m: p at t - Δt
-  Points p_curr;       // #V by 3, m: p at t
-  Points f_ext;        // #V by 3, N
+  Pull pull;
+  Points p_prev;  // #V by 3, m: p at t - Δt
+  Points p_curr;  // #V by 3, m: p at t
+  Points f_ext;   // #V by 3, N
 };
+
+/// N/m: how stiffly Q couples the ends of a spring, k + C/Δt.
+inline double coupling(const TimeStep& step) { return step.k + step.damping / step.delta_t; }
 
 /// Where the iteration stands.
 struct Iterate {

@@ -26,6 +26,7 @@ Status validate_parameters(const Parameters& parameters) {
       {"stop_gradient", parameters.stop_gradient, Sign::not_negative},
       {"stop_decrease", parameters.stop_decrease, Sign::not_negative},
       {"gravity", parameters.gravity, Sign::any},
+      {"damping", parameters.damping, Sign::not_negative},
   };
   for (const auto& [field, value, sign] : rules) {
     if (!std::isfinite(value)) return {StatusCode::not_finite, field, -1, value};

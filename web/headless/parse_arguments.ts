@@ -6,11 +6,14 @@ export interface Arguments {
   /** Path of the scene's JSON. */
   scene: string;
   steps: number;
+  /** Each time step is made of so many, of as many parts of its length. */
+  substeps: number;
   /** What replaces the scene's own values. Units as in the scene: s, N/m. */
   overrides: {
     iterations?: number;
     delta_t?: number;
     k?: number;
+    damping?: number;
     method?: Method;
     stop_gradient?: number;
     stop_decrease?: number;
@@ -25,17 +28,20 @@ export const help = `Runs a scene without a page and prints where its vertices e
   npm run --silent simulate -- SCENE.json [options]
 
   --steps N               time steps to run (100)
+  --substeps N            made of so many shorter ones (1)
   --iterations K          the most iterations of each (the scene's)
-  --method M              local-global|chebyshev|anderson|lbfgs|newton (local-global)
+  --method M              local-global|chebyshev|anderson|lbfgs|newton, which minimise E(p), iterate by iterate, or
+                          linearly-implicit|symplectic-euler|forward-euler, which take the step at once (local-global)
   --until-gradient N      a step also ends where no vertex that is free feels more than N newtons of the gradient
   --until-decrease E      and once an iteration lowers the objective by no more than E max(1 J, the objective)
   --dt S                  time step in seconds (the scene's)
+  --damping C             of a dashpot beside every spring in N s/m (0)
   --k K                   stiffness of the springs in N/m (the scene's)
   --path fast|plain       how a step is computed (fast): fast holds pins exactly, plain by the penalty w
   --storage sparse|dense  of the matrices of the plain path (sparse); dense is always plain
-  --format json|csv       (json) json is one object: positions in metres, the objective of each step in joules,
-                          iterations made and why
-                          each step ended, times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
+  --format json|csv       (json) json is one object: positions in metres, velocities in metres a second, and
+                          of each step the objective and the kinetic, spring and gravity energy in joules, how many
+                          iterations were made and why no more, times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
                           from 1 as in the OBJ file, in metres
   --help                  this text
 
@@ -44,11 +50,13 @@ Errors: one line on stderr, exit code 2.
 
 const options = {
   steps: { type: 'string' },
+  substeps: { type: 'string' },
   iterations: { type: 'string' },
   method: { type: 'string' },
   'until-gradient': { type: 'string' },
   'until-decrease': { type: 'string' },
   dt: { type: 'string' },
+  damping: { type: 'string' },
   k: { type: 'string' },
   path: { type: 'string' },
   storage: { type: 'string' },
@@ -68,11 +76,13 @@ export function parseArguments(args: string[]): Arguments | null {
   if (positionals.length !== 1) throw new UsageError(`SCENE.json: one file is needed, not ${positionals.length}`);
   const {
     steps = '100',
+    substeps = '1',
     iterations,
     method,
     'until-gradient': untilGradient,
     'until-decrease': untilDecrease,
     dt,
+    damping,
     k,
     storage = 'sparse',
     path = storage === 'dense' ? 'plain' : 'fast',
@@ -81,12 +91,14 @@ export function parseArguments(args: string[]): Arguments | null {
   return {
     scene: positionals[0],
     steps: wholeNumber('--steps', steps),
+    substeps: wholeNumber('--substeps', substeps),
     overrides: {
       ...(iterations !== undefined && { iterations: wholeNumber('--iterations', iterations) }),
       ...(method !== undefined && { method: oneOf('--method', method, methods) }),
       ...(untilGradient !== undefined && { stop_gradient: positive('--until-gradient', untilGradient) }),
       ...(untilDecrease !== undefined && { stop_decrease: positive('--until-decrease', untilDecrease) }),
       ...(dt !== undefined && { delta_t: positive('--dt', dt) }),
+      ...(damping !== undefined && { damping: notNegative('--damping', damping) }),
       ...(k !== undefined && { k: positive('--k', k) }),
     },
     path: pathFor(oneOf('--path', path, ['fast', 'plain']), storage),
@@ -103,6 +115,13 @@ function pathFor(path: 'fast' | 'plain', storage: string): 'fast' | 'plain' {
 function positive(option: string, text: string): number {
   const value = Number(text);
   if (!(value > 0 && Number.isFinite(value))) throw new UsageError(`${option}: "${text}" is not a positive number`);
+  return value;
+}
+
+function notNegative(option: string, text: string): number {
+  const value = Number(text);
+  if (text.trim() === '' || !(value >= 0 && Number.isFinite(value)))
+    throw new UsageError(`${option}: "${text}" is not 0 or a positive number`);
   return value;
 }
 

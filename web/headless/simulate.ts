@@ -18,14 +18,22 @@ try {
 }
 
 /** What the command prints. */
-async function simulate({ scene: path, steps, overrides, path: how, storage, format }: Arguments): Promise<string> {
+async function simulate({
+  scene: path,
+  steps,
+  overrides,
+  path: how,
+  storage,
+  format,
+  substeps,
+}: Arguments): Promise<string> {
   const scene = await loadScene(basename(path), folderSource(dirname(path)));
   if (isSceneError(scene)) throw new UsageError(describeSceneError(scene));
 
   const parameters = { ...sceneParameters(scene), ...overrides, path: how, storage };
-  const run = runScene(await loadSolver(), scene, parameters, steps);
+  const run = runScene(await loadSolver(), scene, parameters, { steps, substeps });
 
-  const positions = Array.from({ length: run.p.length / 3 }, (_, i) => [...run.p.subarray(3 * i, 3 * i + 3)]);
+  const positions = rowsOf(run.p);
   if (format === 'csv') {
     return ['vertex,x,y,z', ...positions.map((point, i) => [i + 1, ...point].join(',')), ''].join('\n');
   }
@@ -37,10 +45,14 @@ async function simulate({ scene: path, steps, overrides, path: how, storage, for
     path: how,
     storage,
     steps,
+    substeps,
     iterations: parameters.iterations,
     deltaT: parameters.delta_t,
+    damping: parameters.damping, // N s/m
     positions, // m
+    velocities: rowsOf(run.velocity), // m/s
     objective: run.objective, // J, one a step
+    energy: run.energy, // J, one a step
     iterationsMade: run.iterationsMade, // one a step
     stopReason: run.stopReason,
     milliseconds: {
@@ -49,6 +61,10 @@ async function simulate({ scene: path, steps, overrides, path: how, storage, for
     },
   };
   return `${JSON.stringify(result)}\n`;
+}
+
+function rowsOf(points: Float64Array): number[][] {
+  return Array.from({ length: points.length / 3 }, (_, i) => [...points.subarray(3 * i, 3 * i + 3)]);
 }
 
 function median(values: number[]): number {

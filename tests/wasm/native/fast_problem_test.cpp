@@ -17,7 +17,7 @@ namespace {
 FastSystem prepared(const TimeStep& step) {
   FastSystem system;
   system.analyse(step.p_curr, step.E, step.r, step.pinned);
-  REQUIRE(system.factorise(step.k, step.m, step.delta_t, [](double) {}));
+  REQUIRE(system.factorise(step, [](double) {}));
   system.begin(step);
   return system;
 }

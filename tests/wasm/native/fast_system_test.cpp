@@ -18,7 +18,7 @@ FastSystem prepared(const TestScene& scene) {
   const TimeStep& step = scene.step;
   FastSystem system;
   system.analyse(scene.V, step.E, step.r, step.pinned);
-  REQUIRE(system.factorise(step.k, step.m, step.delta_t, ignore));
+  REQUIRE(system.factorise(step, ignore));
   system.begin(step);
   return system;
 }
@@ -121,7 +121,7 @@ TEST_CASE("Q^-1 undoes Q") {
   // Springs of length 0 have d = 0, so that the gradient is Q p + constant.
   FastSystem linear;
   linear.analyse(scene.V, step.E, Vector::Zero(step.E.rows()), step.pinned);
-  REQUIRE(linear.factorise(step.k, step.m, step.delta_t, ignore));
+  REQUIRE(linear.factorise(step, ignore));
   linear.begin(step);
   WidePoints p = linear.rows_from_points(step.p_curr), q = linear.rows_from_points(step.p_prev);
   linear.hold_pins(p);
@@ -151,7 +151,7 @@ TEST_CASE("equal input gives equal bits, and an analysis serves other values") {
   scene.step.m *= 0.5;
   scene.step.delta_t *= 2;
   FastSystem fresh = prepared(scene);
-  REQUIRE(once.factorise(scene.step.k, scene.step.m, scene.step.delta_t, ignore));
+  REQUIRE(once.factorise(scene.step, ignore));
   once.begin(scene.step);
   CHECK(fast_step(once, scene.step, 20) == fast_step(fresh, scene.step, 20));
 }

@@ -7,10 +7,10 @@
 #include "validate_iterate.h"
 #include "validate_masses.h"
 #include "validate_parameters.h"
-#include "validate_pinned.h"
 #include "validate_points.h"
 #include "validate_springs.h"
 #include "validate_system.h"
+#include "validate_vertices.h"
 
 namespace mass_spring {
 namespace {
@@ -64,10 +64,10 @@ TEST_CASE("masses") {
 }
 
 TEST_CASE("pins") {
-  CHECK(validate_pinned({2, 0}, 3).ok());
-  check(validate_pinned({0, 3}, 3), StatusCode::index_out_of_range, "pinned", 1, 3);
-  check(validate_pinned({-1}, 3), StatusCode::index_out_of_range, "pinned", 0, -1);
-  check(validate_pinned({1, 2, 1}, 3), StatusCode::duplicate_pin, "pinned", 2, 0);
+  CHECK(validate_vertices("pinned", {2, 0}, 3).ok());
+  check(validate_vertices("pinned", {0, 3}, 3), StatusCode::index_out_of_range, "pinned", 1, 3);
+  check(validate_vertices("pinned", {-1}, 3), StatusCode::index_out_of_range, "pinned", 0, -1);
+  check(validate_vertices("pinned", {1, 2, 1}, 3), StatusCode::duplicate_vertex, "pinned", 2, 0);
 }
 
 TEST_CASE("parameters") {

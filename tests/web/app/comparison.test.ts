@@ -10,7 +10,7 @@ import {
 import { route, springsRoute } from '../../../web/src/app/route.ts';
 import { defaultState, frame, state } from '../../../web/src/app/state.ts';
 import type { Frame } from '../../../web/src/solver/frame.ts';
-import type { Method } from '../../../web/src/solver/module.ts';
+import type { Minimiser } from '../../../web/src/solver/module.ts';
 import type { MethodRun, Outcome } from '../../../web/src/solver/protocol.ts';
 
 const showing = (plot: 'trace' | 'comparison') => {
@@ -23,7 +23,7 @@ const goTo = (step: number) => {
   frame.value = { step, events: [] } as unknown as Frame;
 };
 
-function finish(method: Method): void {
+function finish(method: Minimiser): void {
   const run: Outcome<MethodRun> = {
     ok: true,
     value: {
@@ -39,8 +39,8 @@ function finish(method: Method): void {
 }
 
 /** Runs every method that is missing; which they were. */
-function finishAll(): Method[] {
-  const finished: Method[] = [];
+function finishAll(): Minimiser[] {
+  const finished: Minimiser[] = [];
   for (let method = missingMethod.value; method; method = missingMethod.value) {
     finish(method);
     finished.push(method);

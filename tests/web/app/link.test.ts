@@ -4,7 +4,7 @@ import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
-import { methods } from '../../../web/src/solver/module.ts';
+import { minimisers } from '../../../web/src/solver/module.ts';
 
 const lab = { page: 'springs', room: null } as const;
 
@@ -35,7 +35,7 @@ const states: fc.Arbitrary<AppState> = fc.record({
           w: inside(limits.w),
           iterations: fc.integer(limits.iterations),
           wind: fc.boolean(),
-          method: fc.constantFrom(...methods),
+          method: fc.constantFrom(...minimisers),
         },
         { requiredKeys: [] },
       ),

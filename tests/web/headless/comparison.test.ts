@@ -7,7 +7,7 @@ import { loadScene } from '../../../web/src/scene/load_scene.ts';
 import type { Scene } from '../../../web/src/scene/scene.ts';
 import { isSceneError } from '../../../web/src/scene/scene_error.ts';
 import { compareMethod } from '../../../web/src/solver/compare_method.ts';
-import { methods, type Parameters } from '../../../web/src/solver/module.ts';
+import { minimisers, type Parameters } from '../../../web/src/solver/module.ts';
 import { sceneParameters } from '../../../web/src/solver/scene_parameters.ts';
 
 const solver = await loadSolver();
@@ -31,7 +31,7 @@ function moving(scene: Scene, parameters: Parameters) {
   return simulation;
 }
 
-test.each(methods.flatMap((method) => [10, 50].map((iterations) => ({ method, iterations }))))(
+test.each(minimisers.flatMap((method) => [10, 50].map((iterations) => ({ method, iterations }))))(
   'simulate ends a time step where the comparison comes to in as many iterations: $method, $iterations',
   async ({ method, iterations }) => {
     const scene = await libraryScene('net');
@@ -42,7 +42,7 @@ test.each(methods.flatMap((method) => [10, 50].map((iterations) => ({ method, it
     if (!outcome.ok) throw new Error(outcome.status.code);
     const { change } = outcome.value;
 
-    const { objective } = runScene(solver, scene, parameters, before + 1);
+    const { objective } = runScene(solver, scene, parameters, { steps: before + 1, substeps: 1 });
     const compared = start.objective + change[change.length - 1];
     // E is summed from about 200 terms no larger than its largest part, in two orders; the iterates of local and global step differ from those of
     // p ← p − Q⁻¹∇E by rounding times κ = 3e2, which E, flat near its minimum, feels less.

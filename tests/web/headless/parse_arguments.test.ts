@@ -7,6 +7,7 @@ describe('parseArguments', () => {
     expect(parseArguments(['a.json'])).toEqual({
       scene: 'a.json',
       steps: 100,
+      substeps: 1,
       overrides: {},
       path: 'fast',
       storage: 'sparse',
@@ -27,12 +28,16 @@ describe('parseArguments', () => {
       '--storage=dense',
       '--format=csv',
       '--method=lbfgs',
+      '--substeps',
+      '4',
+      '--damping=0',
       '--until-gradient=1e-3',
     ];
     expect(parseArguments(args)).toEqual({
       scene: 'a.json',
       steps: 3,
-      overrides: { k: 2e5, iterations: 7, delta_t: 0.01, method: 'lbfgs', stop_gradient: 1e-3 },
+      substeps: 4,
+      overrides: { k: 2e5, iterations: 7, delta_t: 0.01, damping: 0, method: 'lbfgs', stop_gradient: 1e-3 },
       path: 'plain',
       storage: 'dense',
       format: 'csv',
@@ -46,7 +51,10 @@ describe('parseArguments', () => {
   it.each([
     [[], 'SCENE.json: one file is needed, not 0'],
     [['a.json', 'b.json'], 'SCENE.json: one file is needed, not 2'],
-    [['a.json', '--damping', '1'], '--damping: there is no such option'],
+    [['a.json', '--friction', '1'], '--friction: there is no such option'],
+    [['a.json', '--damping', '-1'], '--damping: "-1" is not 0 or a positive number'],
+    [['a.json', '--damping='], '--damping: "" is not 0 or a positive number'],
+    [['a.json', '--substeps', '0'], '--substeps: "0" is not a whole number from 1 on'],
     [['a.json', '--k'], '--k: its value is missing'],
     [['a.json', '--k', '-5'], '--k: "-5" is not a positive number'],
     [['a.json', '--k', 'stiff'], '--k: "stiff" is not a positive number'],
@@ -58,7 +66,7 @@ describe('parseArguments', () => {
     [['a.json', '--storage', 'thick'], '--storage: "thick" is not one of sparse, dense'],
     [
       ['a.json', '--method', 'jacobi'],
-      '--method: "jacobi" is not one of local-global, chebyshev, anderson, lbfgs, newton',
+      '--method: "jacobi" is not one of local-global, chebyshev, anderson, lbfgs, newton, linearly-implicit, symplectic-euler, forward-euler',
     ],
     [['a.json', '--until-decrease', '0'], '--until-decrease: "0" is not a positive number'],
     [['a.json', '--format', 'xml'], '--format: "xml" is not one of json, csv'],

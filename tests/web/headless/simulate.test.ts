@@ -16,7 +16,7 @@ describe('simulate', startsProcesses, () => {
   it('prints one JSON object: what was run, where it ended, what it cost', () => {
     const { stdout, stderr, status } = simulate('scenes/net.json', '--steps', '3', '--iterations', '5', '--dt', '0.02');
     expect([stderr, status]).toEqual(['', 0]);
-    const { positions, objective, iterationsMade, stopReason, milliseconds, ...run } = JSON.parse(stdout);
+    const { positions, velocities, objective, energy, iterationsMade, stopReason, milliseconds, ...run } = JSON.parse(stdout);
     expect(run).toEqual({
       scene: 'net',
       vertexCount: 61,
@@ -25,10 +25,14 @@ describe('simulate', startsProcesses, () => {
       path: 'fast',
       storage: 'sparse',
       steps: 3,
+      substeps: 1,
       iterations: 5,
       deltaT: 0.02,
+      damping: 0,
     });
     expect(positions).toHaveLength(61);
+    expect(velocities).toHaveLength(61);
+    expect(energy).toHaveLength(3);
     expect(objective).toHaveLength(3);
     expect(iterationsMade).toEqual([5, 5, 5]);
     expect(stopReason).toEqual(['iterations', 'iterations', 'iterations']);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import type { Method } from '../../../web/src/solver/module.ts';
+import type { Minimiser } from '../../../web/src/solver/module.ts';
 import type { MethodRun } from '../../../web/src/solver/protocol.ts';
 import { stopOf } from '../../../web/src/solver/stop_of.ts';
 
 /** E and ‖∂E/∂p‖ halve from 64 J and 64 N; what the decrease is compared with, 1 J at least, halves only from 1 J on. */
-function halving(method: Method, iterations: number, converged = false): MethodRun {
+function halving(method: Minimiser, iterations: number, converged = false): MethodRun {
   const k = Array.from({ length: iterations + 1 }, (_, at) => at);
   return {
     method,

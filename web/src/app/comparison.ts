@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Method, Status } from '../solver/module.ts';
+import type { Minimiser, Status } from '../solver/module.ts';
 import type { MethodRequest, MethodRun, Outcome } from '../solver/protocol.ts';
 import { roundingOf } from '../solver/rounding_of.ts';
 import { limits } from './limits.ts';
@@ -16,7 +16,7 @@ export interface Comparison {
   of: TimeStep;
   /** In the order in which they were made. */
   runs: readonly MethodRun[];
-  refusals: readonly { method: Method; status: Status }[];
+  refusals: readonly { method: Minimiser; status: Status }[];
   /** J: smaller differences of E mean nothing. */
   rounding: number;
 }
@@ -25,7 +25,7 @@ export interface Comparison {
 const newtonPatience_ms = { asked: 10_000, unasked: 3_000 };
 
 /** How one method is run for it. */
-export function comparisonRequest(method: Method): MethodRequest {
+export function comparisonRequest(method: Minimiser): MethodRequest {
   return {
     method,
     // As many as a time step may make; L-BFGS goes on to the minimum, which all are measured against.
@@ -35,7 +35,7 @@ export function comparisonRequest(method: Method): MethodRequest {
 }
 
 /** Newton's method can take seconds: it comes when chosen or asked for, and in the convergence room. L-BFGS first: without E* there is no gap to draw. */
-const quickMethods: readonly Method[] = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
+const quickMethods: readonly Minimiser[] = ['lbfgs', 'local-global', 'chebyshev', 'anderson'];
 
 export const comparison = signal<Comparison | null>(null);
 const newtonAskedFor = signal<TimeStep | null>(null);
@@ -67,15 +67,15 @@ const newtonAsked = computed(() => parameters.value.method === 'newton' || newto
 export const newtonWanted = computed(() => newtonAsked.value || room.value === 'convergence');
 
 /** What the comparison on the page still lacks. */
-export const missingMethod = computed<Method | null>(() => {
+export const missingMethod = computed<Minimiser | null>(() => {
   const now = timeStep.value; // read whether or not it is needed: what is not followed could change and change back unseen
   if (!isShown.value) return null;
   const done = comparison.value?.of === now ? comparison.value : null;
-  const wanted: readonly Method[] = newtonWanted.value ? [...quickMethods, 'newton'] : quickMethods;
+  const wanted: readonly Minimiser[] = newtonWanted.value ? [...quickMethods, 'newton'] : quickMethods;
   return wanted.find((method) => !isIn(done, method)) ?? null;
 });
 
-function isIn(done: Comparison | null, method: Method): boolean {
+function isIn(done: Comparison | null, method: Minimiser): boolean {
   return done !== null && [...done.runs, ...done.refusals].some((one) => one.method === method);
 }
 
@@ -84,7 +84,7 @@ export function compareNewton(): void {
 }
 
 /** Takes in how `method` fared on `of`, unless the page has gone on. */
-export function compared(of: TimeStep, method: Method, outcome: Outcome<MethodRun>): void {
+export function compared(of: TimeStep, method: Minimiser, outcome: Outcome<MethodRun>): void {
   if (of !== timeStep.value) return;
   const before =
     comparison.value?.of === of

@@ -2,7 +2,7 @@ import type { ReadonlySignal } from '@preact/signals';
 import type { Axis } from '../notation/symbols.ts';
 import type { Scene } from '../scene/scene.ts';
 import type { Frame } from '../solver/frame.ts';
-import type { Parameters } from '../solver/module.ts';
+import type { MinimisingParameters } from '../solver/module.ts';
 import type { Selection } from './state.ts';
 
 /** A simulation on the page – the lab's, or that of a picture in the lesson – as its formulas, matrices and code see it. */
@@ -11,7 +11,7 @@ export interface Figure {
   /** #E, m: rest lengths. */
   readonly r: ReadonlySignal<Float64Array>;
   readonly frame: ReadonlySignal<Frame | null>;
-  readonly parameters: ReadonlySignal<Parameters>;
+  readonly parameters: ReadonlySignal<MinimisingParameters>;
   readonly selection: ReadonlySignal<Selection>;
 }
 

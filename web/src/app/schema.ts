@@ -1,5 +1,5 @@
 import * as z from 'zod/mini';
-import { methods } from '../solver/module.ts';
+import { minimisers } from '../solver/module.ts';
 import { limits } from './limits.ts';
 import { languages } from './messages/index.ts';
 import type { AppState } from './state.ts';
@@ -20,7 +20,7 @@ export const stateSchema = {
       w: z.optional(within(limits.w)),
       iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
       wind: z.optional(z.boolean()),
-      method: z.optional(z.enum(methods)),
+      method: z.optional(z.enum(minimisers)),
       stop_gradient: z.optional(within(limits.stop_gradient)),
       stop_decrease: z.optional(within(limits.stop_decrease)),
     })

@@ -2,7 +2,7 @@ import { batch, effect, untracked } from '@preact/signals';
 import type { Scene } from '../scene/scene.ts';
 import { SolverCancelled, type SolverClient, SolverCrash } from '../solver/client.ts';
 import type { Frame } from '../solver/frame.ts';
-import type { Method, Status } from '../solver/module.ts';
+import type { Minimiser, Status } from '../solver/module.ts';
 import type { Checkpoint, Command, Request } from '../solver/protocol.ts';
 import { Clock } from './clock.ts';
 import { compared, comparisonRequest, missingMethod, timeStep } from './comparison.ts';
@@ -204,7 +204,7 @@ export class Session {
     return !playing.value && dragging.value === null && !this.halted;
   }
 
-  private async compare(method: Method): Promise<void> {
+  private async compare(method: Minimiser): Promise<void> {
     const [asked, settings] = [timeStep.value, state.value];
     try {
       compared(asked, method, await this.client.compare(comparisonRequest(method)));

@@ -1,7 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import { noScene, type Scene } from '../scene/scene.ts';
 import type { Frame } from '../solver/frame.ts';
-import type { Parameters } from '../solver/module.ts';
+import type { MinimisingParameters } from '../solver/module.ts';
 import type { Pins } from '../solver/protocol.ts';
 import { sceneParameters } from '../solver/scene_parameters.ts';
 import type { Figure } from './figure.ts';
@@ -24,7 +24,7 @@ export interface AppState {
 
 /** The parameters a reader can change. Units as in solver/module.ts. At most one of the two stopping rules is in force. */
 export type Adjustable = Pick<
-  Parameters,
+  MinimisingParameters,
   'k' | 'delta_t' | 'mass_scale' | 'w' | 'iterations' | 'wind' | 'method' | StoppingRule
 >;
 
@@ -104,7 +104,7 @@ export const pins = computed(() => pinsOn(scene.value, chosenPins.value));
 export const labFigure: Figure = { scene, r, frame, parameters, selection };
 
 /** The scene's own parameters with the reader's changes. */
-export function parametersOn(s: Scene, chosen: AppState['parameters']): Parameters {
+export function parametersOn(s: Scene, chosen: AppState['parameters']): MinimisingParameters {
   // Only the plain path has a penalty: who chooses w wants to see what it does.
   return { ...sceneParameters(s), ...chosen, path: chosen.w === undefined ? 'fast' : 'plain' };
 }

@@ -1,4 +1,4 @@
-import { compareColumns, type Method, type Simulation, type Status } from './module.ts';
+import { compareColumns, type Minimiser, type Simulation, type Status } from './module.ts';
 import type { MethodRequest, MethodRun, Outcome } from './protocol.ts';
 
 interface Attempt {
@@ -34,7 +34,7 @@ export function compareMethod(
   return { ok: true, value: { method, change, gradient, decrease, converged: attempt.converged, milliseconds } };
 }
 
-function attemptOf(simulation: Simulation, method: Method, iterations: number): Attempt {
+function attemptOf(simulation: Simulation, method: Minimiser, iterations: number): Attempt {
   const started = performance.now();
   const { status, rows } = simulation.compare(method, iterations);
   const milliseconds = performance.now() - started;
@@ -47,7 +47,7 @@ function attemptOf(simulation: Simulation, method: Method, iterations: number): 
 }
 
 /** ms that such an attempt takes. */
-function meanTime(simulation: Simulation, method: Method, iterations: number, first: Attempt): number {
+function meanTime(simulation: Simulation, method: Minimiser, iterations: number, first: Attempt): number {
   const started = performance.now() - first.milliseconds;
   let count = 1;
   for (; performance.now() - started < leastTimed_ms; count++) simulation.compare(method, iterations);

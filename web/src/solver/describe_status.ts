@@ -10,19 +10,24 @@ const sentences: Record<StatusCode, string> = {
   index_out_of_range: 'there is no {{indexed}} {{value}}',
   self_spring: 'vertex {{value}} is joined to itself',
   duplicate_spring: 'the spring of row {{value}} again',
-  duplicate_pin: 'the pin of row {{value}} again',
+  duplicate_vertex: 'the vertex of row {{value}} again',
   not_positive: '{{value}} is not positive',
   negative: '{{value}} is negative',
   too_stiff: 'the stiffness number Σk·Δt²/m is {{value}}, and beyond {{limit}} double precision is lost',
   too_large: '{{value}} bytes are more than the {{limit}} that the solver takes',
   factorisation_failed: 'Q is not positive definite to machine precision',
   diverged: 'became {{value}} in this time step',
+  unstable: 'left its stable region: Δt·ω = {{value}} > {{limit}}',
 };
 
 /** One English line with field, row (from 0) and value, e.g. "E[3]: there is no vertex 12". */
 export function describeStatus({ code, field, index, value, limit }: Status): string {
   const place = index < 0 ? field : `${field}[${index}]`;
   const indexed = field === 'half_step' ? 'half-step' : 'vertex';
-  const sentence = fillTemplate(sentences[code], { value, limit, indexed });
+  const sentence = fillTemplate(sentences[code], {
+    value: code === 'unstable' ? Number(value.toPrecision(3)) : value,
+    limit: code === 'unstable' ? Number(limit.toPrecision(3)) : limit,
+    indexed,
+  });
   return place ? `${place}: ${sentence}` : sentence;
 }

@@ -12,13 +12,14 @@ export const statusCodes = [
   'index_out_of_range',
   'self_spring',
   'duplicate_spring',
-  'duplicate_pin',
+  'duplicate_vertex',
   'not_positive',
   'negative',
   'too_stiff',
   'too_large',
   'factorisation_failed',
   'diverged',
+  'unstable',
 ] as const;
 export type StatusCode = (typeof statusCodes)[number];
 
@@ -28,17 +29,31 @@ export interface Status {
   field: string;
   index: number;
   value: number;
-  /** The most that `value` may be, of what is too stiff or too large (then in bytes); 0 elsewhere. */
+  /** The most that `value` may be, of what is too stiff, unstable or too large (then in bytes); 0 elsewhere. */
   limit: number;
 }
 
 /** What a long call is at: finding the order of elimination, which cannot tell how far it is, and computing L. */
 export type Stage = 'ordering' | 'factorising';
 
-export type FactorisationReason = 'scene' | 'k' | 'delta_t' | 'mass' | 'w' | 'pins' | 'path' | 'storage';
+export type FactorisationReason =
+  | 'scene'
+  | 'k'
+  | 'delta_t'
+  | 'mass'
+  | 'w'
+  | 'damping'
+  | 'pins'
+  | 'pull'
+  | 'path'
+  | 'storage';
 
-/** The names of Method in wasm/core/method.h, same spelling, same order. */
-export const methods = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
+/** The methods that minimise E(p), iterate by iterate. */
+export const minimisers = ['local-global', 'chebyshev', 'anderson', 'lbfgs', 'newton'] as const;
+export type Minimiser = (typeof minimisers)[number];
+
+/** The names of Method in wasm/core/method.h, same spelling, same order: those, and the ones that take a time step at once. */
+export const methods = [...minimisers, 'linearly-implicit', 'symplectic-euler', 'forward-euler'] as const;
 export type Method = (typeof methods)[number];
 
 /**
@@ -63,7 +78,7 @@ export interface Parameters {
   mass_scale: number;
   /** K: the most iterations of a time step. */
   iterations: number;
-  /** How p gets from one iterate to the next; local-global is the paper's. */
+  /** How p^{t+Δt} follows from p^t; local-global is the paper's. Those that take the time step at once make one iteration whatever K says. */
   method: Method;
   /** N: a time step also ends where no component of ∂E/∂p of a vertex that is free to move is larger. 0: never. */
   stop_gradient: number;
@@ -71,6 +86,8 @@ export interface Parameters {
   stop_decrease: number;
   /** m/s²: g = (0, −gravity, 0). */
   gravity: number;
+  /** C, N·s/m: of a dashpot beside every spring, 0 for none. The methods that minimise take its direction at p^t and its velocity at t+Δt. */
+  damping: number;
   /** Whether the course's wind blows. */
   wind: boolean;
   /** `plain`: the readable functions, pins by penalty. `fast`: the same iteration arranged for speed, pins exactly where they are held, no w. */
@@ -78,6 +95,9 @@ export interface Parameters {
   /** Of the plain path. */
   storage: 'sparse' | 'dense';
 }
+
+/** Of a time step that comes about iterate by iterate. */
+export type MinimisingParameters = Parameters & { method: Minimiser };
 
 /** A sparse matrix as triplets, for tests and the matrix views. Each (row, column) occurs once. */
 export interface Triplets {
@@ -95,6 +115,8 @@ export interface Objective {
   inertia: number;
   external: number;
   pin: number;
+  damping: number;
+  pull: number;
 }
 
 /** Of masses on springs, J. A motion without loss keeps the sum. */
@@ -136,7 +158,12 @@ export interface Simulation {
   set_parameters(parameters: Parameters): Status;
   /** The set of pinned vertices and where each is held (#pinned×3). Refactorises only when the SET changed. */
   set_pins(pinned: Int32Array, targets: Float64Array): Status;
-  /** Rest positions, at rest, cursor to (1, 0). Pins keep their set and return to their rest positions. */
+  /**
+   * Springs of rest length 0 and stiffness k, N/m, from these vertices each to a point of its own (#vertices×3), until reset; none for no vertices.
+   * Refactorises only when the SET of vertices or k changed.
+   */
+  set_pull(vertices: Int32Array, targets: Float64Array, k: number): Status;
+  /** Rest positions, at rest, nothing pulled, cursor to (1, 0). Pins keep their set and return to their rest positions. */
   reset(): Status;
   /** Restores a checkpoint: the known positions of time step `step`, each #V×3, and the half step the cursor stands at. */
   set_state(step: number, p_curr: Float64Array, p_prev: Float64Array, half_step: number): Status;
@@ -200,6 +227,12 @@ export interface Simulation {
   probe_vertex(i: number): VertexProbe;
   /** Of the settled positions: at accept p, elsewhere p^t. */
   energy(): MechanicalEnergy;
+  /** #V×3, m/s: likewise. Also where the method is forward Euler, whose last change of the positions is an older velocity. */
+  velocity(): Float64Array;
+  /** ω of the fastest oscillation of springs and pulls around the settled positions, rad/s, to about three digits. Takes some ms. */
+  largest_frequency(): number;
+  /** How large Δt ω may be before the oscillation grows: 2 for symplectic Euler, 0 for forward Euler without damping; infinite for the others. */
+  stability_limit(): number;
   /** Max_i Σ_j k_ij Δt²/m_i, dimensionless. */
   stiffness_number(): number;
   /** Without those of calls that failed. */

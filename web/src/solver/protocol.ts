@@ -1,6 +1,6 @@
 import type { Frame, VertexEquation } from './frame.ts';
 import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
-import type { Method, Ordering, Parameters, Stage, Status, Triplets } from './module.ts';
+import type { Minimiser, Ordering, Parameters, Stage, Status, Triplets } from './module.ts';
 
 /** What the solver needs of a scene. */
 export interface Problem {
@@ -46,7 +46,7 @@ export interface Request {
 
 /** The time step that the solver stands in, solved by another method. */
 export interface MethodRequest {
-  method: Method;
+  method: Minimiser;
   iterations: number;
   /** Fewer iterations where these would take longer than about this, ms. */
   patience_ms: number;
@@ -54,7 +54,7 @@ export interface MethodRequest {
 
 /** Its way down from p^t: of every iterate p^k, k = 0, 1, …, */
 export interface MethodRun {
-  method: Method;
+  method: Minimiser;
   /** E(p^k) − E(p^0), J, */
   change: Float64Array;
   /** and ‖∂E/∂p^k‖∞ of the vertices that are free to move, N. */

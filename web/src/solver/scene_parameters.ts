@@ -1,8 +1,8 @@
 import type { Scene } from '../scene/scene.ts';
-import type { Parameters } from './module.ts';
+import type { MinimisingParameters } from './module.ts';
 
 /** The parameters of a scene as its file gives them, and where it gives none those of the course: gravity 9.8 m/s², no wind. */
-export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameters {
+export function sceneParameters({ k, delta_t, w, iterations }: Scene): MinimisingParameters {
   return {
     k,
     delta_t,
@@ -13,6 +13,7 @@ export function sceneParameters({ k, delta_t, w, iterations }: Scene): Parameter
     stop_decrease: 0,
     mass_scale: 1,
     gravity: 9.8,
+    damping: 0,
     wind: false,
     path: 'fast',
     storage: 'sparse',

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Method } from '../../../../web/src/solver/module.ts';
+import type { Minimiser } from '../../../../web/src/solver/module.ts';
 import type { MethodRun } from '../../../../web/src/solver/protocol.ts';
 import {
   abscissaRange,
@@ -11,7 +11,7 @@ import {
   pointAt,
 } from '../../../../web/src/views/plots/comparison_curves.ts';
 
-function run(method: Method, milliseconds: number, change: number[], converged = false): MethodRun {
+function run(method: Minimiser, milliseconds: number, change: number[], converged = false): MethodRun {
   const decrease = change.map((value, k) => change[k - 1] - value);
   return {
     method,
@@ -35,7 +35,7 @@ describe('comparisonCurves', () => {
     expect(curves[1].points.map(({ milliseconds }) => milliseconds)).toEqual([0, 0.5, 1, 1.5]);
   });
 
-  it('credits E* to the fewest iterations among the methods that differ by rounding only', () => {
+  it('credits E* to the fewest iterations among the minimisers that differ by rounding only', () => {
     const newton = run('newton', 9, [0, -7, -8 + 1e-13]);
     const noise = run('anderson', 1, [0, -5, -7, -7.5, -8 - 1e-13], true);
     expect(comparisonCurves([lbfgs, noise, newton], 0).minimum).toEqual({

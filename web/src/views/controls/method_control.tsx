@@ -2,7 +2,7 @@ import type { Actions } from '../../app/actions.ts';
 import { firstTolerance, limits } from '../../app/limits.ts';
 import { t } from '../../app/messages/index.ts';
 import { parameters, type StoppingRule } from '../../app/state.ts';
-import { type Method, methods } from '../../solver/module.ts';
+import { type Minimiser, minimisers } from '../../solver/module.ts';
 import { NumberField } from './number_field.tsx';
 import './controls.css';
 
@@ -20,9 +20,9 @@ export function MethodControl({ actions }: { actions: Actions }) {
           id="method"
           value={method}
           aria-describedby="method-explained"
-          onChange={(event) => actions.setParameter('method', event.currentTarget.value as Method)}
+          onChange={(event) => actions.setParameter('method', event.currentTarget.value as Minimiser)}
         >
-          {methods.map((name) => (
+          {minimisers.map((name) => (
             <option key={name} value={name}>
               {t(`methods.name.${name}`)}
             </option>

@@ -3,7 +3,7 @@ import { parameters } from '../../app/state.ts';
 import { columnScale, formatLength, formatQuantity } from '../../lib/format.ts';
 import { formulas } from '../../notation/formulas.ts';
 import type { Frame, VertexEquation } from '../../solver/frame.ts';
-import type { Parameters } from '../../solver/module.ts';
+import type { MinimisingParameters } from '../../solver/module.ts';
 import { EquationPanel } from './equation_panel.tsx';
 import { Formula } from './formula.tsx';
 import { VectorTable } from './vector_table.tsx';
@@ -42,7 +42,7 @@ export function GlobalEquation({ frame }: { frame: Frame }) {
   );
 }
 
-function noteAt({ phase, vertexEquation, pinned }: Frame, { method, path }: Parameters): string | null {
+function noteAt({ phase, vertexEquation, pinned }: Frame, { method, path }: MinimisingParameters): string | null {
   if (phase === 'predict') return t('equations.global.notYet');
   if (method !== 'local-global') return t(`equations.global.method.${method}`);
   if (path === 'fast' && vertexEquation && pinned.includes(vertexEquation.vertex)) return t('equations.global.pinned');

@@ -5,7 +5,7 @@ import { t } from '../../app/messages/index.ts';
 import { parameters } from '../../app/state.ts';
 import { Choice } from '../../lib/choice.tsx';
 import { formatQuantity } from '../../lib/format.ts';
-import type { Method } from '../../solver/module.ts';
+import type { Minimiser } from '../../solver/module.ts';
 import { stopOf } from '../../solver/stop_of.ts';
 import {
   type Abscissa,
@@ -36,7 +36,7 @@ export function ComparisonChart({ actions }: { actions: Actions }) {
 function Curves({ made, stale, actions }: { made: Comparison; stale: boolean; actions: Actions }) {
   const [abscissa, setAbscissa] = useState<Abscissa>('iterations');
   const [ordinate, setOrdinate] = useState<Ordinate>('gap');
-  const [hidden, setHidden] = useState<readonly Method[]>([]);
+  const [hidden, setHidden] = useState<readonly Minimiser[]>([]);
   const [pointed, point] = useState<number | null>(null);
 
   const { curves, minimum } = useMemo(() => comparisonCurves(made.runs, made.rounding), [made]);

@@ -1,4 +1,4 @@
-import type { Method } from '../../solver/module.ts';
+import type { Minimiser } from '../../solver/module.ts';
 import type { MethodRun } from '../../solver/protocol.ts';
 import { decadesAround } from './log_axis.ts';
 
@@ -14,7 +14,7 @@ export interface CurvePoint {
 }
 
 export interface Curve {
-  method: Method;
+  method: Minimiser;
   /** Of one iteration. */
   milliseconds: number;
   /** Every iterate that was made. */
@@ -25,7 +25,7 @@ export interface Curve {
 
 /** Where E*, the lowest objective of all the runs, was reached up to rounding. */
 export interface Minimum {
-  method: Method;
+  method: Minimiser;
   iteration: number;
   /** Whether a method that came there ended because E falls no further. */
   converged: boolean;

@@ -3,7 +3,7 @@ import { type Comparison, newtonWanted } from '../../app/comparison.ts';
 import { t } from '../../app/messages/index.ts';
 import { refusalParams } from '../../app/refusal_params.ts';
 import { formatNumber } from '../../lib/format.ts';
-import { type Method, methods } from '../../solver/module.ts';
+import { type Minimiser, minimisers } from '../../solver/module.ts';
 import { type Abscissa, type Curve, type CurvePoint, type Ordinate, pointAt } from './comparison_curves.ts';
 import { methodStyles } from './method_styles.ts';
 
@@ -12,19 +12,19 @@ interface Props {
   caption: string;
   made: Comparison;
   curves: readonly Curve[];
-  hidden: readonly Method[];
+  hidden: readonly Minimiser[];
   abscissa: Abscissa;
   place: number;
   /** The time step has passed: nothing is added any more. */
   stale: boolean;
-  onToggle: (method: Method) => void;
+  onToggle: (method: Minimiser) => void;
   onNewton: () => void;
 }
 
 /** The plot's legend and its numbers at one place: a row for every method, whose name shows or hides its line. */
 export function ComparisonReadout(props: Props) {
   const { caption, made, curves, hidden, abscissa, place, stale, onToggle, onNewton } = props;
-  const instead = (method: Method): ComponentChildren => {
+  const instead = (method: Minimiser): ComponentChildren => {
     const refusal = made.refusals.find((one) => one.method === method);
     if (refusal) return t('plots.comparison.refused', refusalParams(refusal.status));
     if (stale) return null;
@@ -35,7 +35,7 @@ export function ComparisonReadout(props: Props) {
       </button>
     );
   };
-  const row = (method: Method) => {
+  const row = (method: Minimiser) => {
     const curve = curves.find((one) => one.method === method);
     return curve ? <Numbers point={pointAt(curve, abscissa, place)} /> : <td colSpan={4}>{instead(method)}</td>;
   };
@@ -52,7 +52,7 @@ export function ComparisonReadout(props: Props) {
         </tr>
       </thead>
       <tbody>
-        {methods.map((method) => (
+        {minimisers.map((method) => (
           <tr key={method}>
             <th scope="row">
               <button
@@ -84,7 +84,7 @@ function Numbers({ point: { iteration, milliseconds, gap, gradient } }: { point:
   );
 }
 
-export function Swatch({ method }: { method: Method }) {
+export function Swatch({ method }: { method: Minimiser }) {
   const { colour, dash } = methodStyles[method];
   return (
     <svg class="swatch" viewBox="0 0 32 4" aria-hidden="true">

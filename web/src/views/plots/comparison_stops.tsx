@@ -1,7 +1,7 @@
 import { t } from '../../app/messages/index.ts';
 import { parameters } from '../../app/state.ts';
 import { formatNumber } from '../../lib/format.ts';
-import { type Method, methods } from '../../solver/module.ts';
+import { type Minimiser, minimisers } from '../../solver/module.ts';
 import type { Stop } from '../../solver/stop_of.ts';
 import type { Curve } from './comparison_curves.ts';
 import { gapText, heightUnit, Swatch } from './comparison_readout.tsx';
@@ -9,7 +9,7 @@ import { gapText, heightUnit, Swatch } from './comparison_readout.tsx';
 interface Props {
   curves: readonly Curve[];
   /** Null beyond what was computed. */
-  stops: ReadonlyMap<Method, Stop | null>;
+  stops: ReadonlyMap<Minimiser, Stop | null>;
 }
 
 /** Where each method ends the time step under the rule in force: the dots of the plot in numbers. */
@@ -57,7 +57,7 @@ function Numbers({ curve: { points, milliseconds }, stop }: { curve: Curve; stop
 
 /** As in the legend. */
 function inOrder(curves: readonly Curve[]): Curve[] {
-  return methods.flatMap((method) => curves.find((curve) => curve.method === method) ?? []);
+  return minimisers.flatMap((method) => curves.find((curve) => curve.method === method) ?? []);
 }
 
 /** When a time step ends, with the numbers in force. */

@@ -1,5 +1,5 @@
 import type uPlot from 'uplot';
-import type { Method } from '../../solver/module.ts';
+import type { Minimiser } from '../../solver/module.ts';
 import type { Stop } from '../../solver/stop_of.ts';
 import {
   type Abscissa,
@@ -15,7 +15,7 @@ import { methodStyles } from './method_styles.ts';
 export interface CurveMarks {
   curves: readonly Curve[];
   /** Where each method ends this time step; null beyond what was computed. */
-  stops: ReadonlyMap<Method, Stop | null>;
+  stops: ReadonlyMap<Minimiser, Stop | null>;
   abscissa: Abscissa;
   ordinate: Ordinate;
   /** Both ends of the horizontal axis: iterations, or ms. */

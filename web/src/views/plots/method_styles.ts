@@ -1,7 +1,7 @@
-import type { Method } from '../../solver/module.ts';
+import type { Minimiser } from '../../solver/module.ts';
 
 /** How a method's line is drawn: colour for those who see it, dashes (CSS pixels, on and off) for all. */
-export const methodStyles: Record<Method, { colour: string; dash: readonly number[] }> = {
+export const methodStyles: Record<Minimiser, { colour: string; dash: readonly number[] }> = {
   'local-global': { colour: '--symbol-Q', dash: [] },
   chebyshev: { colour: '--symbol-r', dash: [2, 3] },
   anderson: { colour: '--symbol-d', dash: [10, 4] },

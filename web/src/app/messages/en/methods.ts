@@ -1,4 +1,4 @@
-import type { Method } from '../../../solver/module.ts';
+import type { Method, Minimiser } from '../../../solver/module.ts';
 
 export const methods = {
   label: 'Method',
@@ -8,6 +8,9 @@ export const methods = {
     anderson: 'Anderson',
     lbfgs: 'L-BFGS',
     newton: 'Newton',
+    'linearly-implicit': 'Linearly implicit Euler',
+    'symplectic-euler': 'Symplectic Euler',
+    'forward-euler': 'Forward Euler',
   } satisfies Record<Method, string>,
   explained: {
     'local-global':
@@ -20,7 +23,7 @@ export const methods = {
       'Takes the global step as a direction, bends it by how the gradient changed in the last five iterations, and searches along it; costs some products of vectors and needs far fewer iterations (Liu et al. 2017).',
     newton:
       'Uses the exact second derivatives of E in place of Q; a handful of iterations reach the minimum, but each assembles and factorises another matrix.',
-  } satisfies Record<Method, string>,
+  } satisfies Record<Minimiser, string>,
   stop: {
     label: 'A time step ends',
     never: 'after K iterations',

@@ -135,7 +135,9 @@ export const page = {
       delta_t: 'Δt changed',
       mass: 'the masses changed',
       w: 'w changed',
+      damping: 'the damping changed',
       pins: 'the set of pins changed',
+      pull: 'a pull began, ended or changed its stiffness',
       path: 'w was chosen or given back',
       storage: 'the storage changed',
     },
@@ -246,7 +248,7 @@ export const page = {
     index_out_of_range: '{{field}}[{{index}}]: there is no vertex {{value}}. The values before stay.',
     self_spring: '{{field}}[{{index}}] joins vertex {{value}} to itself.',
     duplicate_spring: '{{field}}[{{index}}] repeats a spring that is already there.',
-    duplicate_pin: '{{field}}[{{index}}] pins vertex {{value}} twice.',
+    duplicate_vertex: '{{field}}[{{index}}] is the same vertex as {{field}}[{{value}}].',
     not_positive: '{{field}} is {{value}}; it has to be greater than 0. The value before stays.',
     negative: '{{field}} is {{value}}; it has to be 0 or more. The value before stays.',
     too_stiff:
@@ -255,6 +257,8 @@ export const page = {
       'This would need {{value}} of memory, and the solver takes {{limit}} at most. Everything stays as it was.',
     factorisation_failed:
       'Q could not be factorised: it is not positive definite to machine precision. The values before stay.',
+    unstable:
+      '{{method}} left its stable region: Δt·ω = {{value}} > {{limit}}, ω being the fastest oscillation of the springs. The step was undone.',
     diverged: 'Vertex {{index}} became {{value}} in this time step. The step was undone and the clock stopped.',
   },
 };

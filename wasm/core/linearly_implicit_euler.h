@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <array>
+#include <vector>
+
+#include "time_step.h"
+#include "types.h"
+
+namespace mass_spring {
+
+/// (M - Δt D - Δt² K) q̇^{t+Δt} = M q̇^t + Δt f(q^t),  q^{t+Δt} = q^t + Δt q̇^{t+Δt}
+/// with K = ∂f/∂q and D = ∂f/∂q̇ at q^t, the pinned vertices taken out by P: one step of Newton's
+/// method for E(p) from p^t, without its line search. The pattern of P(…)Pᵀ is analysed once for
+/// the same springs and pins; every step fills in its values and factorises. [V] "Linearly implicit
+/// time integration"
+class LinearlyImplicitEuler {
+ public:
+  /// @param q  #V by 3, m (result): pinned vertices where they are held; not-a-numbers where the
+  /// matrix cannot be factorised
+  void operator()(const TimeStep& step, Points& q);
+
+  /// P(M - Δt D - Δt² K)Pᵀ of the last step, #unknowns by #unknowns, kg.
+  const SparseMatrix& matrix() const { return matrix_; }
+
+ private:
+  /// Where the three columns of a 3 by 3 block begin among the values of the matrix.
+  using Place = std::array<int, 3>;
+  static constexpr Place nowhere = {-1, -1, -1};
+
+  void analyse(const TimeStep& step);
+  void fill_in(const TimeStep& step, const Points& q_dot);
+  Place place_of(int row, int column) const;
+  void add(const Place& place, const Eigen::Matrix3d& block);
+
+  Indices unknown_;  // #V: the first of a vertex' three unknowns, -1 where it is pinned
+  Edges edges_;      // #E by 2: what was analysed
+  Indices pinned_;   // #pinned
+  std::vector<std::array<Place, 4>> places_;  // of every spring: (i, i), (j, j), (i, j), (j, i)
+  SparseMatrix matrix_;
+  Vector b_;  // #unknowns, N s
+  Eigen::SimplicialLDLT<SparseMatrix> ldlt_;
+};
+
+}  // namespace mass_spring
