@@ -1,12 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type ObjData, parseObj } from '../../../web/src/scene/parse_obj.ts';
+import type { Geometry } from '../../../web/src/scene/geometry.ts';
+import { parseObj } from '../../../web/src/scene/parse_obj.ts';
 import { describeSceneError, isSceneError } from '../../../web/src/scene/scene_error.ts';
 
 const coordinate = fc.double({ noNaN: true, noDefaultInfinity: true }).map((x) => x || 0); // −0 is written as 0
 const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
 
-function parsed(text: string): ObjData {
+function parsed(text: string): Geometry {
   const result = parseObj('a.obj', text);
   if (isSceneError(result)) throw new Error(describeSceneError(result));
   return result;

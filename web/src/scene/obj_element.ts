@@ -1,7 +1,4 @@
-import type { SceneError } from './scene_error.ts';
-
-/** A SceneError whose place the caller knows. */
-export type ObjProblem = Omit<SceneError, 'place'>;
+import type { Problem } from './scene_error.ts';
 
 /** An `f` or `l` line of an OBJ file. */
 export interface ObjElement {
@@ -25,11 +22,7 @@ export interface ObjPieces {
 }
 
 /** Takes an element apart, once all the vertices of its file have been counted. */
-export function takeApart(
-  element: ObjElement,
-  vertexCount: number,
-  textureVertexCount: number,
-): ObjPieces | ObjProblem {
+export function takeApart(element: ObjElement, vertexCount: number, textureVertexCount: number): ObjPieces | Problem {
   const { keyword, corners, vertices, textureVertices } = element;
   if (corners.length < 2) return { code: 'too_few_vertices', params: { minimum: 2 } };
   const v: number[] = [];

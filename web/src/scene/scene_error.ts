@@ -20,6 +20,9 @@ export const sceneMessages = {
   too_small: '{{value}} is less than {{minimum}}',
   too_large: '{{value}} is more than {{maximum}}',
 
+  no_shape: 'either "obj" or "mesh" is needed: the file of the vertices',
+  two_shapes: '"obj" and "mesh" are both given: only one can be the file of the vertices',
+
   too_few_numbers: 'has {{value}} numbers of {{minimum}}',
   too_few_vertices: 'joins fewer than {{minimum}} vertices',
   not_an_index: '{{value}} is not a vertex number',
@@ -31,8 +34,14 @@ export const sceneMessages = {
   no_vertices: 'there are no vertices',
   no_springs: 'there are no springs',
 
+  not_a_mesh: 'does not begin with MeshVersionFormatted, as a Medit mesh in text form does',
+  not_in_space: 'Dimension is {{value}} instead of 3',
+  not_a_section: '{{value}} stands where the name of a section should',
+  too_few_rows: '{{section}} ends after {{value}} of {{count}} rows',
+
   duplicate_pin: 'vertex {{value}} is pinned twice',
   no_mass: 'this field is missing, and vertex {{value}} is in no triangle whose area could give it one',
+  no_mass_of_solid: 'this field is missing, and vertex {{value}} is in no tetrahedron whose volume could give it one',
   no_texture_coordinates: '{{value}} lacks texture coordinates on some corner',
 };
 
@@ -48,6 +57,9 @@ export interface SceneError {
   place: Place;
   params: Record<string, string | number>;
 }
+
+/** A SceneError whose place the caller knows. */
+export type Problem = Omit<SceneError, 'place'>;
 
 export function isSceneError(result: object): result is SceneError {
   return 'code' in result;
