@@ -1,16 +1,23 @@
 const lineWidth = 120;
 
-/** JSON for people to read: a line for each field of an object, lists of numbers or texts filled into lines. */
+/** JSON for people to read: a line for each field of an object, lists filled into lines. */
 export function jsonText(value: unknown, indent = ''): string {
   const inner = `${indent}  `;
   if (Array.isArray(value)) {
-    const items = value.map((item) => JSON.stringify(item));
+    const items = value.map(inOneLine);
     const oneLine = `[${items.join(', ')}]`;
     return oneLine.length < lineWidth / 2 ? oneLine : `[\n${filled(items, inner)}\n${indent}]`;
   }
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);
   const fields = Object.entries(value).map(([name, field]) => `${inner}"${name}": ${jsonText(field, inner)}`);
   return `{\n${fields.join(',\n')}\n${indent}}`;
+}
+
+function inOneLine(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(inOneLine).join(', ')}]`;
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  const fields = Object.entries(value).map(([name, field]) => `${JSON.stringify(name)}: ${inOneLine(field)}`);
+  return `{ ${fields.join(', ')} }`;
 }
 
 /** Items with commas, as many a line as fit. */

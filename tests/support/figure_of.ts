@@ -11,7 +11,7 @@ export function figureOf(scene: SmallScene, selection: Selection, half_step: num
   expectOk(simulation.set_scene(scene.V, scene.E, scene.m, scene.pinned, usualParameters));
   expectOk(simulation.seek(half_step));
   const figure = {
-    scene: signal({ ...scene, ...usualParameters, name: '', F: new Uint32Array(0), texture: null }),
+    scene: signal({ ...scene, ...usualParameters, name: '', F: new Uint32Array(0), texture: null, damping: 0 }),
     r: signal(simulation.r().slice()),
     frame: signal(readFrame(simulation, { pinned: scene.pinned, selectedVertex: selection.vertex, events: true })),
     parameters: signal(usualParameters),

@@ -33,6 +33,8 @@ const scene: Scene = {
   delta_t: 0.1,
   iterations: 1,
   w: 1e6,
+  gravity: 9.8,
+  damping: 0,
 };
 
 /** Lets everything that has been promised happen. */

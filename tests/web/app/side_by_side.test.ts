@@ -12,6 +12,7 @@ const wasm = new ArrayBuffer(0); // the fake worker's module is there already
 const { V, E, m, pinned } = net(3);
 const scene: Scene = {
   ...{ name: 'net', F: new Uint32Array(0), texture: null, k: 1e3, delta_t: 1 / 30, iterations: 10, w: 1e10 },
+  ...{ gravity: 9.8, damping: 0 },
   ...{ V, E, m, pinned },
 };
 const pins = { pinned, targets: Float64Array.from([...pinned].flatMap((i) => [...V.subarray(3 * i, 3 * i + 3)])) };

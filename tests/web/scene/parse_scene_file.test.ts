@@ -16,11 +16,14 @@ describe('parseSceneFile', () => {
       delta_t: 1 / 30,
       iterations: 50,
       w: 1e10,
+      gravity: 9.8,
+      damping: 0,
     });
   });
 
   it('keeps what is given and drops the fields of other programs', () => {
     const fields = { obj: 'a.obj', b: [], k: 1, m: 2, png: 'a.png', delta_t: 0.01, iterations: 10, w: 1e6 };
+    Object.assign(fields, { gravity: 0, damping: 0.2 });
     expect(parseSceneFile('a.json', JSON.stringify({ ...fields, author: 'x' }))).toEqual(fields);
   });
 
@@ -30,7 +33,14 @@ describe('parseSceneFile', () => {
     ['{"b": [1 2]}', 'a.json line 1: column 10: not JSON from 2]} on'],
     ['[]', 'a.json: [] is not an object in braces'],
     ['null', 'a.json: null is not an object in braces'],
-    ['{"b": [], "k": 1}', 'a.json obj: this field is missing'],
+    ['{"b": [], "k": 1}', 'a.json: either "obj" or "mesh" is needed: the file of the vertices'],
+    [
+      '{"obj": "a", "mesh": "b", "b": [], "k": 1}',
+      'a.json: "obj" and "mesh" are both given: only one can be the file of the vertices',
+    ],
+    ['{"mesh": "", "b": [], "k": 1}', 'a.json mesh: this text is empty'],
+    ['{"mesh": "a", "b": [], "k": 1, "gravity": -1}', 'a.json gravity: -1 is less than 0'],
+    ['{"mesh": "a", "b": [], "k": 1, "damping": -0.1}', 'a.json damping: -0.1 is less than 0'],
     ['{"obj": "", "b": [], "k": 1}', 'a.json obj: this text is empty'],
     ['{"obj": 7, "b": [], "k": 1}', 'a.json obj: 7 is not a text in quotes'],
     ['{"obj": "a", "k": 1}', 'a.json b: this field is missing'],

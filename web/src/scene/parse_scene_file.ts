@@ -1,7 +1,7 @@
 import type { core } from 'zod/mini';
 import { locateJsonError } from './locate_json_error.ts';
 import type { SceneError, SceneErrorCode } from './scene_error.ts';
-import { type SceneFile, sceneFileSchema } from './scene_file.ts';
+import { namesOneShape, type SceneFile, sceneFileSchema } from './scene_file.ts';
 
 /** Reads the JSON of a scene. `file` is its name, for the sentences of errors. */
 export function parseSceneFile(file: string, text: string): SceneFile | SceneError {
@@ -12,7 +12,9 @@ export function parseSceneFile(file: string, text: string): SceneFile | SceneErr
     return syntaxError(file, text);
   }
   const result = sceneFileSchema.safeParse(json);
-  return result.success ? result.data : fieldError(file, json, result.error.issues[0]);
+  if (!result.success) return fieldError(file, json, result.error.issues[0]);
+  if (namesOneShape(result.data)) return result.data;
+  return { code: result.data.obj === undefined ? 'no_shape' : 'two_shapes', place: { file }, params: {} };
 }
 
 function syntaxError(file: string, text: string): SceneError {

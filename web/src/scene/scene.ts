@@ -10,7 +10,7 @@ export interface Scene {
   F: Uint32Array;
   /** Texture coordinates of the surface, or null. `FT` indexes rows of `VT`, corner by corner with F. */
   texture: { url: string; VT: Float32Array; FT: Uint32Array } | null;
-  /** #V, kg: uniform, or a third of each triangle's area (times 1 kg/m²) when the file gives none. */
+  /** #V, kg: uniform, or when the file gives none a quarter of each tetrahedron at 1 kg/m³, in what is no solid a third of each triangle at 1 kg/m². */
   m: Float64Array;
   /** Zero-based indices of the pinned vertices, ascending; each is held at its rest position. */
   pinned: Int32Array;
@@ -20,6 +20,8 @@ export interface Scene {
   delta_t: number; // seconds, 1/30 unless given
   iterations: number; // 50 unless given
   w: number; // N/m, 1e10 unless given
+  gravity: number; // m/s² downwards, 9.8 unless given
+  damping: number; // N·s/m along every spring, 0 unless given
 }
 
 /** What stands in for a scene before there is one. */
@@ -35,4 +37,6 @@ export const noScene: Scene = {
   delta_t: 1 / 30,
   iterations: 50,
   w: 1e10,
+  gravity: 9.8,
+  damping: 0,
 };
