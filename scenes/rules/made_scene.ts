@@ -6,8 +6,8 @@ export interface MadeScene {
   name: string;
   /** m: rest positions. */
   vertices: Point[];
-  /** A network of springs, or a surface whose edges are the springs. */
-  shape: { springs: Spring[] } | Surface;
+  /** A network of springs, perhaps with a plain surface between them, or a surface whose edges are the springs. */
+  shape: { springs: Spring[]; triangles?: Triangle[] } | Surface;
   pinned: number[];
   /** N/m. */
   k: number;
@@ -15,6 +15,10 @@ export interface MadeScene {
   m?: number;
   /** Of each time step, where the default would be too slow to watch. */
   iterations?: number;
+  /** s, m/s² and N·s/m, where the default is not meant. */
+  delta_t?: number;
+  gravity?: number;
+  damping?: number;
 }
 
 export type Point = [x: number, y: number, z: number];

@@ -16,13 +16,16 @@ export function writtenScene(scene: MadeScene): Map<string, string | Uint8Array>
   return files;
 }
 
-function sceneText({ name, shape, pinned, k, m, iterations }: MadeScene): string {
+function sceneText({ name, shape, pinned, k, m, iterations, delta_t, gravity, damping }: MadeScene): string {
   const fields = {
     obj: `${name}.obj`,
     ...('picture' in shape && { png: `${name}.png` }),
     k,
     ...(m !== undefined && { m }),
     ...(iterations !== undefined && { iterations }),
+    ...(delta_t !== undefined && { delta_t }),
+    ...(gravity !== undefined && { gravity }),
+    ...(damping !== undefined && { damping }),
     b: pinned.map((i) => i + 1),
   };
   return `${jsonText(fields)}\n`;
@@ -33,6 +36,7 @@ function objText({ name, vertices, shape }: MadeScene): string {
   for (const point of vertices) lines.push(`v ${point.map(decimals).join(' ')}`);
   if ('springs' in shape) {
     for (const [i, j] of shape.springs) lines.push(`f ${i + 1} ${j + 1}`);
+    for (const triangle of shape.triangles ?? []) lines.push(`f ${triangle.map((i) => i + 1).join(' ')}`);
   } else {
     for (const uv of shape.textureVertices) lines.push(`vt ${uv.map(decimals).join(' ')}`);
     for (const [f, triangle] of shape.triangles.entries()) {
