@@ -1,7 +1,18 @@
 import type { Page } from '@playwright/test';
 import { expect, expectReady, open, test } from './support/page.ts';
 
-const scenes = ['single-spring-horizontal', 'triangle', 'horizontal-chain', 'patch', 'net', 'tower', 'flag', 'skirt'];
+const scenes = [
+  'single-spring-horizontal',
+  'triangle',
+  'horizontal-chain',
+  'patch',
+  'net',
+  'tower',
+  'flag',
+  'skirt',
+  'cloth',
+  'rabbit',
+];
 
 const status = (page: Page) => page.getByTestId('status');
 const button = (page: Page, name: string | RegExp) => page.getByRole('button', { name, exact: true });

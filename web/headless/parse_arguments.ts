@@ -25,7 +25,7 @@ export interface Arguments {
 
 export const help = `Runs a scene without a page and prints where its vertices end up.
 
-  npm run --silent simulate -- SCENE.json [options]
+  npm run --silent simulate -- SCENE.json [options]      (or SCENE.mesh, a Medit mesh that has no JSON)
 
   --steps N               time steps to run (100)
   --substeps N            made of so many shorter ones (1)
@@ -41,8 +41,8 @@ export const help = `Runs a scene without a page and prints where its vertices e
   --storage sparse|dense  of the matrices of the plain path (sparse); dense is always plain
   --format json|csv       (json) json is one object: positions in metres, velocities in metres a second, and
                           of each step the objective and the kinetic, spring and gravity energy in joules, how many
-                          iterations were made and why no more, times in milliseconds; csv is a line vertex,x,y,z and one for each vertex, numbered
-                          from 1 as in the OBJ file, in metres
+                          iterations were made and why no more, times in milliseconds; csv is a line vertex,x,y,z and
+                          one for each vertex, numbered from 1 as in the file of the vertices, in metres
   --help                  this text
 
 Errors: one line on stderr, exit code 2.

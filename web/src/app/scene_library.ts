@@ -9,7 +9,7 @@ import { SceneProblem } from './scene_problem.ts';
 /** Addresses of the scenes' files as built, by file name. */
 const urls = Object.fromEntries(
   Object.entries(
-    import.meta.glob<string>(['../../../scenes/*.{json,obj,png}', '!../../../scenes/*.schema.json'], {
+    import.meta.glob<string>(['../../../scenes/*.{json,obj,mesh,png}', '!../../../scenes/*.schema.json'], {
       query: '?url',
       import: 'default',
       eager: true,
@@ -17,7 +17,7 @@ const urls = Object.fromEntries(
   ).map(([path, url]) => [path.slice(path.lastIndexOf('/') + 1), url]),
 );
 
-/** In the order of the lesson: one idea more each time. */
+/** In the order of the lesson, one idea more each time; then the cloth and the solids that integrators are compared on. */
 export const librarySceneNames = [
   'single-spring-horizontal',
   'triangle',
@@ -28,6 +28,9 @@ export const librarySceneNames = [
   'tower',
   'flag',
   'skirt',
+  'cloth',
+  'rabbit',
+  'rabbit-fine',
 ] as const;
 
 /** Scenes that the reader opened from files, for this visit. */
@@ -41,14 +44,14 @@ export async function findScene(name: string, signal?: AbortSignal): Promise<Sce
   return trusted((await readScene(`${name}.json`, urls, signal)).result);
 }
 
-/** Opens the scene among files that the reader chose or dropped: one JSON, the OBJ it names, and its picture. Throws SceneProblem, or the signal's reason. */
+/** Opens the scene among files that the reader chose or dropped: one JSON and the files it names, or a mesh alone. Throws SceneProblem, or the signal's reason. */
 export async function openFiles(files: readonly File[], signal: AbortSignal): Promise<Scene> {
-  const json = files.find((file) => /\.json$/i.test(file.name));
-  if (!json) throw new SceneProblem('page.errors.sceneNoJson', {});
+  const first = ['.json', '.mesh'].flatMap((end) => files.filter(({ name }) => name.toLowerCase().endsWith(end)))[0];
+  if (!first) throw new SceneProblem('page.errors.sceneNoJson', {});
   const addresses = Object.fromEntries(files.map((file) => [file.name, URL.createObjectURL(file)]));
   let picture: string | undefined;
   try {
-    const { result, missingPicture } = await readScene(json.name, addresses, signal);
+    const { result, missingPicture } = await readScene(first.name, addresses, signal);
     const scene = trusted(result);
     if (missingPicture) notify('info', 'page.notice.pictureMissing', { missing: missingPicture });
     scene.name = freeName(scene.name);

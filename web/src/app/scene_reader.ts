@@ -10,7 +10,7 @@ export interface SceneReading {
   missingPicture: string;
 }
 
-/** Reads the scene whose JSON is `file`. `addresses`: of that file and those it names, by name. */
+/** Reads the scene whose JSON, or mesh without one, is `file`. `addresses`: of that file and those it names, by name. */
 async function read(file: string, addresses: Record<string, string>): Promise<SceneReading> {
   let missingPicture = '';
   const result = await loadScene(file, {

@@ -34,7 +34,7 @@ export function SceneMenu({ actions }: { actions: Actions }) {
           type="file"
           class="visually-hidden"
           multiple
-          accept=".json,.obj,.png"
+          accept=".json,.obj,.mesh,.png"
           onChange={(event) => {
             void actions.openFiles([...(event.currentTarget.files ?? [])]);
             event.currentTarget.value = ''; // or the same file could not be chosen twice

@@ -103,7 +103,7 @@ export const page = {
     scene: 'Scene',
     openFiles: 'Open files…',
     openFilesHint:
-      'A scene.json with its .obj (and .png): the course’s own files open unchanged. You can also drop them on the page.',
+      'A scene.json with its .obj (and .png), or a .mesh of tetrahedra: the course’s own files open unchanged. You can also drop them on the page.',
     reset: 'Back to the scene’s value',
     resetAll: 'All back to the scene’s values',
     resetPins: 'Pins as in the scene',
@@ -177,6 +177,9 @@ export const page = {
     flag: 'Flag',
     skirt: 'Skirt',
     tower: 'Tower',
+    cloth: 'Cloth',
+    rabbit: 'Rabbit',
+    'rabbit-fine': 'Rabbit, finer',
   },
   keys: {
     keyboard: 'Keyboard',
@@ -239,7 +242,8 @@ export const page = {
     linkTooLong: 'The link is {{length}} characters long and was not read; at most {{most}} are.',
     sceneUnknown: 'There is no scene “{{name}}”. The one before stays.',
     sceneReader: 'The files could not be read: {{message}}. The scene before stays.',
-    sceneNoJson: 'None of the files opened is a scene: a .json file is needed, together with the .obj it names.',
+    sceneNoJson:
+      'None of the files opened is a scene: a .json file is needed, together with the .obj it names, or else a .mesh.',
     scene: '{{sentence}}. The scene before stays.',
     no_scene: 'No scene is open yet.',
     no_vertices: 'The scene has no vertices.',

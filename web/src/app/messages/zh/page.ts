@@ -97,7 +97,8 @@ export const page = {
     heading: '参数',
     scene: '场景',
     openFiles: '打开文件…',
-    openFilesHint: '选择 scene.json 及其 .obj（和 .png）：课程原有的文件无需修改即可打开，也可以直接拖到页面上。',
+    openFilesHint:
+      '选择 scene.json 及其 .obj（和 .png），或单独一个四面体网格 .mesh：课程原有的文件无需修改即可打开，也可以直接拖到页面上。',
     reset: '恢复场景的取值',
     resetAll: '全部恢复为场景的取值',
     resetPins: '恢复场景的固定点',
@@ -171,6 +172,9 @@ export const page = {
     flag: '旗帜',
     skirt: '裙',
     tower: '塔架',
+    cloth: '布料',
+    rabbit: '兔子',
+    'rabbit-fine': '兔子（细网格）',
   },
   keys: {
     keyboard: '键盘',
@@ -231,7 +235,7 @@ export const page = {
     linkTooLong: '链接长达 {{length}} 个字符，未予读取；最多 {{most}} 个。',
     sceneUnknown: '没有名为“{{name}}”的场景，仍保留原场景。',
     sceneReader: '无法读取文件：{{message}}。仍保留原场景。',
-    sceneNoJson: '打开的文件中没有场景：需要一个 .json 文件以及它所指的 .obj。',
+    sceneNoJson: '打开的文件中没有场景：需要一个 .json 文件以及它所指的 .obj，或者一个 .mesh 文件。',
     scene: '{{sentence}}。仍保留原场景。',
     no_scene: '尚未打开场景。',
     no_vertices: '场景中没有质点。',
