@@ -231,3 +231,17 @@ test('opens the reader’s own files, and explains a broken one', async ({ page 
   await expect(page.getByText('bad.json b[0]: vertex 7 of 3')).toBeVisible();
   await expect(sceneMenu(page)).toHaveValue('pair');
 });
+
+test('opens a mesh that has no JSON, and explains a broken one', async ({ page }) => {
+  await openPaused(page);
+  const choose = page.locator('input[type="file"]');
+  const file = (name: string, text: string) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+  const block =
+    'MeshVersionFormatted 2 Dimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 0 1 0\n0 1 0 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n';
+  await choose.setInputFiles([file('block.mesh', block)]);
+  await expect(sceneMenu(page)).toHaveValue('block');
+  await expect(page.getByText('4 vertices, 6 springs').first()).toBeVisible();
+  await choose.setInputFiles([file('short.mesh', block.replace('Tetrahedra 1', 'Tetrahedra 2'))]);
+  await expect(page.getByText('short.mesh line 9: Tetrahedra ends after 1 of 2 rows')).toBeVisible();
+  await expect(sceneMenu(page)).toHaveValue('block');
+});
