@@ -1,13 +1,13 @@
 """The solid of a rabbit, a smooth union of ellipsoids (a shape of our own, no scan), meshed with tetrahedra.
 
-  python scenes/rules/make_rabbit.py POINTS_ON_THE_SURFACE OUT.mesh
+  python scenes/rules/make_rabbit.py 500 scenes/rabbit.mesh         (500 points on the surface, 699 with those inside)
+  python scenes/rules/make_rabbit.py 1650 scenes/rabbit-fine.mesh   (3,024)
 
-About 500 points make about 700 vertices with those inside, as in scenes/rabbit.mesh; about 1,650 make 3,000, as in scenes/rabbit-fine.mesh.
+needs, and made the committed files byte for byte with:
+  pip install gmsh==4.15.2 numpy==2.4.6 pyacvd==0.4.0 pymeshfix==0.18.1 pyvista==0.49.1 scikit-image==0.26.0 vtk==9.7.2
 
-needs: pip install numpy scikit-image pyvista pyacvd pymeshfix gmsh
-
-Other versions of these tools make other meshes of the same solid. So the meshes are committed, and tests/web/scene/scenes.test.ts asks of them what any
-such mesh must have; `npm run scenes` then writes their JSON.
+Other versions of these tools may make other meshes of the same solid. So the meshes are committed, and tests/web/scene/scenes.test.ts asks of
+them what any such mesh must have; `npm run scenes` then writes their JSON.
 """
 import sys
 
