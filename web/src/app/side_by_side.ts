@@ -3,7 +3,7 @@ import { type Remote, wrap } from 'comlink';
 import { noScene, type Scene } from '../scene/scene.ts';
 import { SolverCrash } from '../solver/client.ts';
 import type { MechanicalEnergy, Parameters } from '../solver/module.ts';
-import type { Checkpoint, Outcome, Pins } from '../solver/protocol.ts';
+import type { Checkpoint, Outcome, Pins, Pull } from '../solver/protocol.ts';
 import type { OpenedSideBySide, SideBySideService, Variant, VariantState } from '../solver/side_by_side.ts';
 import { Clock } from './clock.ts';
 import { notifyOf, notifyRefusal } from './explanation.ts';
@@ -41,8 +41,10 @@ export class SideBySide {
   /** Time steps made since the start. */
   readonly step = signal(0);
   readonly pins = signal<Pins>({ pinned: new Int32Array(), targets: new Float64Array() });
+  /** What the reader pulls at, in all variants alike. */
+  readonly pull = signal<Pull | null>(null);
   readonly playing = signal(false);
-  /** The pin that the reader holds: time runs as long as it is held. */
+  /** The vertex that the reader holds with a pointer: time runs as long as it is held. */
   readonly held = signal<number | null>(null);
   /** Whether there is something still able to move. */
   readonly alive = computed(() => this.states.value?.some(({ failure }) => failure === null) ?? false);

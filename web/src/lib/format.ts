@@ -59,6 +59,11 @@ export function formatLength(metres: number, digits = 3): string {
   return formatQuantity(metres * factor, unit, digits);
 }
 
+/** Newtons, as kilonewtons where they would have five digits and more: "9.80 N", "834 kN". */
+export function formatForce(newtons: number, digits = 3): string {
+  return Math.abs(newtons) < 1e4 ? formatQuantity(newtons, 'N', digits) : formatQuantity(newtons / 1e3, 'kN', digits);
+}
+
 /** How all numbers of one column or table are written, so that their decimal points align: value · factor, in `unit`. */
 export interface ColumnScale {
   factor: number;

@@ -19,6 +19,16 @@ export interface Pins {
   targets: Float64Array;
 }
 
+/** Springs of rest length 0, each from a vertex to a point of its own. */
+export interface Pull {
+  /** Indices into the rows of V. */
+  vertices: Int32Array;
+  /** #vertices×3, m. */
+  targets: Float64Array;
+  /** N/m: of each. */
+  stiffness: number;
+}
+
 /** Where the cursor goes. `stay` shows the same place again, under what has changed since. */
 export type Command =
   | { kind: 'stay' }

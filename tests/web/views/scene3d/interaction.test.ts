@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { type DrawnView, Interaction } from '../../../../web/src/views/scene3d/interaction.ts';
+import { Interaction } from '../../../../web/src/views/scene3d/interaction.ts';
 import { OrbitCamera } from '../../../../web/src/views/scene3d/orbit_camera.ts';
 import { projectPoints, worldToClip } from '../../../../web/src/views/scene3d/projection.ts';
 import type { Scene3DCallbacks } from '../../../../web/src/views/scene3d/types.ts';
+import type { DrawnView } from '../../../../web/src/views/scene3d/view_picker.ts';
 import { FakeCanvas } from './fake_canvas.ts';
 
 /** A chain 0–1–2 of two springs, the first vertex pinned, in a view that fills the canvas. */
@@ -17,6 +18,7 @@ const view: DrawnView = {
     targets: points.slice(0, 3),
   },
   springPixels: 60,
+  poke: null,
 };
 
 let canvas: FakeCanvas;

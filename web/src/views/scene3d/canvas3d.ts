@@ -3,10 +3,11 @@ import type { Camera } from '../../app/state.ts';
 import type { Rectangle } from '../../lib/rectangle.ts';
 import { framingOfFall, framingOfNow } from './framing.ts';
 import { createInk, setInkColour } from './ink.ts';
-import { type DrawnView, Interaction } from './interaction.ts';
+import { Interaction } from './interaction.ts';
 import { OrbitCamera } from './orbit_camera.ts';
 import { projectPoints, worldToClip } from './projection.ts';
 import type { CanvasCallbacks, Scene3DFrame, ScreenPoint } from './types.ts';
+import type { DrawnView, Poke } from './view_picker.ts';
 import { type Viewport, Viewports } from './viewports.ts';
 
 /** More device pixels than this in a CSS pixel cost without being seen. */
@@ -28,6 +29,8 @@ export interface Picture extends Pick<Scene3DFrame, 'p' | 'pinned' | 'targets'> 
   /** Metres. */
   typicalRestLength: number;
   background: string;
+  /** Null where only pins can be dragged. */
+  poke: Poke | null;
   view(name: string): View;
   /** Makes the views ready to be drawn. */
   refresh(pixelsPerMetre: number): void;
@@ -148,11 +151,15 @@ export class Canvas3D {
 
   /** CSS pixels of the canvas at which a view shows a vertex; null when it is behind the camera or the view hidden. */
   projectToScreen(vertex: number, name: string): ScreenPoint | null {
+    const points = this.drawn()?.view(name).points;
+    return points ? this.projectPoint(points.subarray(3 * vertex, 3 * vertex + 3), name) : null;
+  }
+
+  /** Likewise of any point; #3, metres. */
+  projectPoint(point: Float64Array, name: string): ScreenPoint | null {
     const viewport = this.viewports.named(name);
-    const picture = this.drawn();
-    if (!viewport || !picture) return null;
+    if (!viewport) return null;
     const { width, height } = viewport.rectangle;
-    const point = picture.view(name).points.slice(3 * vertex, 3 * vertex + 3);
     this.orbitCamera.setAspect(width / height);
     const [x, y] = projectPoints(point, worldToClip(this.orbitCamera.camera), viewport.rectangle);
     return Number.isNaN(x) ? null : { x, y };
@@ -202,6 +209,7 @@ export class Canvas3D {
       points: view.points,
       springEnds: () => view.springEnds(),
       frame: picture,
+      poke: picture.poke,
       springPixels: picture.typicalRestLength * this.orbitCamera.pixelsPerMetre(this.viewports.height),
     };
   }

@@ -11,6 +11,7 @@ import { springEnds } from './spring_pieces.ts';
 import type { Stage } from './stages.ts';
 import { haloFor, type Strokes } from './strokes.ts';
 import { Surface } from './surface.ts';
+import { encloses } from './surface_geometry.ts';
 import { Table } from './table.ts';
 import type { Scene3DModel } from './types.ts';
 
@@ -49,6 +50,8 @@ export class GlobalView {
   /** Whether arrows come from the ghost, a place left behind, rather than point to it, a prediction. */
   private leftGhost = false;
   private readonly surface: Surface | null;
+  /** Whether the surface has an inside, which it hides. */
+  private readonly solid: boolean;
 
   constructor(ink: Ink, model: Scene3DModel, tables: NetTables, onTexture: () => void) {
     const { pointTable, ghostTable, arrowTable } = this;
@@ -65,6 +68,7 @@ export class GlobalView {
     this.ghost = new Segments(ink, 'ghost', springCount, joining(tables.springs, ghostTable, ghostTable));
     this.arrows = new Segments(ink, 'arrow', moved.length, joining(arrowTable, pointTable, ghostTable));
     this.surface = model.F.length > 0 ? new Surface(model, pointTable, onTexture) : null;
+    this.solid = encloses(model.F);
     this.overlay = new Overlay(ink, vertexCount, tables, pointTable, ends);
     this.scene.add(this.ghost.mesh, this.segments.mesh, this.vertices.mesh, this.arrows.mesh, this.overlay.group);
     if (this.surface) this.scene.add(this.surface.mesh);
@@ -99,7 +103,8 @@ export class GlobalView {
       haloColour: background,
     });
     this.overlay.setStyle(palette, strokes, spring);
-    this.surface?.setColour(palette.cloth);
+    this.overlay.hidePinsBehind(clothShown && this.solid);
+    this.surface?.setColours(palette.cloth, palette.pull);
   }
 
   update(stage: Stage, exaggeration: number | null): void {
@@ -118,6 +123,11 @@ export class GlobalView {
     for (let c = 0; c < points.length; c++) ghostPoints[c] = points[c] + reveal * exaggeration * (ghost[c] - to[c]);
     this.ghostTable.set(ghostPoints);
     this.leftGhost = !towardsGhost;
+  }
+
+  /** The surface around these vertices, if there is one. */
+  tint(vertices: Int32Array): void {
+    this.surface?.setTinted(vertices);
   }
 
   /** #E×6, metres: where the springs are drawn. */

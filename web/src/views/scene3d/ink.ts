@@ -85,6 +85,11 @@ export class InkQuads {
     this.mesh.geometry.setDrawRange(0, 6 * count);
   }
 
+  /** Whether shapes are hidden by what is in front of them, whatever their layer. */
+  hideBehind(hidden: boolean): void {
+    this.mesh.material.depthTest = hidden;
+  }
+
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();

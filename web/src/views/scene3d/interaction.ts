@@ -1,43 +1,33 @@
 import { type Plane, Vector3 } from 'three';
 import { Gestures } from '../../lib/gestures.ts';
-import type { Rectangle } from '../../lib/rectangle.ts';
-import { boundsNear } from './bounds_near.ts';
 import type { OrbitCamera } from './orbit_camera.ts';
-import { nearestPoint, nearestSegment, tolerancesFor } from './picking.ts';
-import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';
-import type { CanvasCallbacks, Hit, Scene3DFrame } from './types.ts';
-
-/** A view as it was last drawn, for pointers to find things in. */
-export interface DrawnView {
-  rectangle: Rectangle;
-  /** #V×3, metres. */
-  points: Float64Array;
-  /** #E×6, metres: both ends of every spring. */
-  springEnds(): Float32Array;
-  frame: Pick<Scene3DFrame, 'pinned' | 'targets'>;
-  /** CSS pixels of a typical spring. */
-  springPixels: number;
-}
+import { facingPlane } from './projection.ts';
+import { pullBy } from './pull.ts';
+import type { CanvasCallbacks, Hit } from './types.ts';
+import { type DrawnView, ViewPicker } from './view_picker.ts';
 
 /** Radians that a pointer turns the camera by crossing the height of the canvas. */
 const turnPerView = 5;
 
 interface Held {
-  vertex: number;
   view: DrawnView;
+  /** In it, what is held follows the pointer. */
   plane: Plane;
-  /** Metres from where the pointer meets the plane to the pin, so that the pin does not jump to the pointer. */
-  grip: Vector3;
   moved: boolean;
+  begin(): void;
+  /** `touched`: where the pointer now meets the plane. */
+  drag(touched: Vector3): void;
+  end(): void;
 }
 
-/** Pointers on the canvas: they look at things, select them, drag pins, and otherwise move the camera. */
+/** Pointers on the canvas: they look at things, select them, drag pins, pull at nets, and otherwise move the camera. */
 export class Interaction {
   hovered: Hit | null = null;
   private readonly canvas: HTMLCanvasElement;
   private readonly orbitCamera: OrbitCamera;
   private readonly viewAt: (x: number, y: number) => DrawnView | null;
   private readonly callbacks: CanvasCallbacks;
+  private readonly picker: ViewPicker;
   private held: Held | null = null;
   private readonly gestures: Gestures;
 
@@ -51,6 +41,7 @@ export class Interaction {
     this.orbitCamera = orbitCamera;
     this.viewAt = viewAt;
     this.callbacks = callbacks;
+    this.picker = new ViewPicker(orbitCamera);
     this.gestures = new Gestures(canvas, {
       grab: (x, y, pointerType) => this.grab(x, y, pointerType),
       drag: (x, y) => this.drag(x, y),
@@ -76,65 +67,71 @@ export class Interaction {
     this.callbacks.onInvalidate();
   }
 
-  /** What lies under a place of the canvas (CSS pixels); pins before vertices before springs. Things in front do not hide those behind. */
+  /** What lies under a place of the canvas (CSS pixels). */
   pick(x: number, y: number, pointerType: string): Hit | null {
     const view = this.viewAt(x, y);
-    if (!view) return null;
-    const hit = (kind: Hit['kind'], index: number, drawn: Float32Array): Hit => {
-      return { kind, index, bounds: boundsNear(drawn, x, y) };
-    };
-    const pin = this.pickPin(view, x, y, pointerType);
-    if (pin !== null) return hit('vertex', view.frame.pinned[pin], Float32Array.of(x, y));
-    const tolerance = tolerancesFor(pointerType, view.springPixels);
-    const points = this.onScreen(view, view.points);
-    const vertex = nearestPoint(points, x, y, tolerance.vertex);
-    if (vertex !== null) return hit('vertex', vertex, points.subarray(2 * vertex, 2 * vertex + 2));
-    const ends = this.onScreen(view, view.springEnds());
-    const spring = nearestSegment(ends, x, y, tolerance.spring);
-    return spring === null ? null : hit('spring', spring, ends.subarray(4 * spring, 4 * spring + 4));
-  }
-
-  private pickPin(view: DrawnView, x: number, y: number, pointerType: string): number | null {
-    const tolerance = tolerancesFor(pointerType, view.springPixels);
-    return nearestPoint(this.onScreen(view, view.frame.targets), x, y, tolerance.pin);
-  }
-
-  private onScreen(view: DrawnView, points: Float64Array | Float32Array): Float32Array {
-    this.orbitCamera.setAspect(view.rectangle.width / view.rectangle.height);
-    return projectPoints(points, worldToClip(this.orbitCamera.camera), view.rectangle);
+    return view && this.picker.pick(view, x, y, pointerType);
   }
 
   private grab(x: number, y: number, pointerType: string): boolean {
     const view = this.viewAt(x, y);
-    const pin = view && this.pickPin(view, x, y, pointerType);
-    if (view === null || pin === null) return false;
-    const centre = new Vector3().fromArray(view.frame.targets, 3 * pin);
+    this.held = view && (this.grabPin(view, x, y, pointerType) ?? this.grabNet(view, x, y, pointerType));
+    return this.held !== null;
+  }
+
+  private grabPin(view: DrawnView, x: number, y: number, pointerType: string): Held | null {
+    const hit = this.picker.pickPin(view, x, y, pointerType);
+    if (!hit) return null;
+    const { pinned, targets } = view.frame;
+    const centre = new Vector3().fromArray(targets, 3 * pinned.indexOf(hit.index));
     const plane = facingPlane(this.orbitCamera.camera, centre);
-    const touched = this.pointUnder(view, x, y, plane);
-    if (!touched) return false;
-    this.held = { vertex: view.frame.pinned[pin], view, plane, grip: centre.sub(touched), moved: false };
-    return true;
+    const touched = this.picker.pointOn(plane, view, x, y);
+    if (!touched) return null;
+    const aside = centre.sub(touched); // kept, so that the pin does not jump to the pointer
+    return {
+      view,
+      plane,
+      moved: false,
+      begin: () => this.callbacks.onDragStart(hit.index),
+      drag: (now) => this.callbacks.onDrag(hit.index, Float64Array.from(now.add(aside))),
+      end: () => this.callbacks.onDragEnd(hit.index),
+    };
+  }
+
+  private grabNet(view: DrawnView, x: number, y: number, pointerType: string): Held | null {
+    const handhold = this.picker.handhold(view, x, y, pointerType);
+    if (!handhold || !view.poke) return null;
+    const { spot, grip } = handhold;
+    const { stiffness } = view.poke;
+    const plane = facingPlane(this.orbitCamera.camera, spot.point);
+    const from = this.picker.pointOn(plane, view, x, y);
+    if (!from) return null;
+    this.callbacks.onMark?.(grip.vertices);
+    return {
+      view,
+      plane,
+      moved: false,
+      begin: () => {},
+      drag: (now) => this.callbacks.onPull?.(pullBy(grip, now.sub(from).toArray(), stiffness)),
+      end: () => this.callbacks.onPull?.(null),
+    };
   }
 
   private drag(x: number, y: number): void {
     const held = this.held;
-    const touched = held && this.pointUnder(held.view, x, y, held.plane);
+    const touched = held && this.picker.pointOn(held.plane, held.view, x, y);
     if (!touched) return;
-    if (!held.moved) this.callbacks.onDragStart(held.vertex);
+    if (!held.moved) held.begin();
     held.moved = true;
     this.canvas.style.cursor = 'grabbing';
-    this.callbacks.onDrag(held.vertex, Float64Array.from(touched.add(held.grip)));
+    held.drag(touched);
   }
 
   private release(): void {
-    if (this.held?.moved) this.callbacks.onDragEnd(this.held.vertex);
+    if (this.held?.moved) this.held.end();
     this.held = null;
+    this.callbacks.onMark?.(null);
     this.canvas.style.cursor = '';
-  }
-
-  private pointUnder(view: DrawnView, x: number, y: number, plane: Plane): Vector3 | null {
-    this.orbitCamera.setAspect(view.rectangle.width / view.rectangle.height);
-    return pointOnPlane(this.orbitCamera.camera, view.rectangle, x, y, plane);
   }
 
   private tap(x: number, y: number, pointerType: string, shift: boolean): void {
@@ -144,11 +141,21 @@ export class Interaction {
   }
 
   private hover(place: { x: number; y: number } | null): void {
-    const hit = place && this.pick(place.x, place.y, 'mouse');
+    const view = place && this.viewAt(place.x, place.y);
+    const { hit, handhold } = view ? this.under(view, place.x, place.y) : nothing;
+    this.callbacks.onMark?.(handhold?.grip.vertices ?? null);
     const before = this.hovered;
     this.hovered = hit;
-    if (hit?.kind === before?.kind && hit?.index === before?.index) return;
-    this.canvas.style.cursor = hit ? 'pointer' : '';
-    this.callbacks.onHover(hit);
+    this.canvas.style.cursor = handhold ? 'grab' : hit ? 'pointer' : '';
+    if (hit?.kind !== before?.kind || hit?.index !== before?.index) this.callbacks.onHover(hit);
+  }
+
+  /** Where a net can be pulled at, pins are all that is pointed at besides. */
+  private under(view: DrawnView, x: number, y: number) {
+    if (!view.poke) return { hit: this.picker.pick(view, x, y, 'mouse'), handhold: null };
+    const hit = this.picker.pickPin(view, x, y, 'mouse');
+    return { hit, handhold: hit ? null : this.picker.handhold(view, x, y, 'mouse') };
   }
 }
+
+const nothing = { hit: null, handhold: null };

@@ -10,6 +10,8 @@ import { followLayout } from './follow_layout.ts';
 import { Nets3D } from './nets3d.ts';
 import { darkPalette, lightPalette } from './palette.ts';
 import { PinHandle } from './pin_handle.tsx';
+import { PokeHandle } from './poke_handle.tsx';
+import { PullForce, PullReport } from './pull_forces.tsx';
 import type { CanvasCallbacks, ScreenPoint } from './types.ts';
 import './nets.css';
 
@@ -23,10 +25,25 @@ interface Props {
   run: SideBySide;
   /** One for each variant, in their order. */
   captions: readonly NetCaption[];
+  /** Whether the reader can take hold of the nets themselves and pull. */
+  poke?: boolean;
+  /** Metres: how far around the pointer vertices are taken hold of; null: a share of the scene's size. */
+  pokeRadius?: number | null;
+  /** N/m: of the spring that pulls each vertex. */
+  pokeStiffness?: number;
+  /** Springs are drawn anyway when the scene has no surface. */
+  showSprings?: boolean;
 }
 
 /** The nets of several variants, one camera and one drag for all, over the buttons of their common clock. */
-export function Nets({ run, captions }: Props) {
+export function Nets({
+  run,
+  captions,
+  poke = false,
+  pokeRadius = null,
+  pokeStiffness = 1e5,
+  showSprings = true,
+}: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const nets3D = useSignal<Nets3D | null>(null);
   const origin = useSignal<ScreenPoint>({ x: 0, y: 0 });
@@ -58,12 +75,14 @@ export function Nets({ run, captions }: Props) {
       cancelAnimationFrame(drawing);
       nets3D.value = null;
       view.dispose();
+      run.pull.value = null;
     };
   }, [run, count, nets3D, origin, pictures]);
 
   useSignalEffect(() => {
     const { V, E, F, texture } = run.scene.value;
     const r = run.r.value;
+    run.pull.value = null;
     if (r.length > 0) nets3D.value?.setScene({ V, E, F, texture, r }, count);
   });
   useSignalEffect(() => {
@@ -74,20 +93,33 @@ export function Nets({ run, captions }: Props) {
     nets3D.value?.setOptions({ palette: appliedTheme.value === 'dark' ? darkPalette : lightPalette });
   });
 
+  useSignalEffect(() => {
+    nets3D.value?.setOptions({ pull: run.pull.value });
+  });
   const view = nets3D.value;
+  useEffect(() => {
+    view?.setOptions({ showSprings, poke: poke ? { radius: pokeRadius, stiffness: pokeStiffness } : null });
+  }, [view, showSprings, poke, pokeRadius, pokeStiffness]);
+
   const placeOf = (vertex: number) => {
     const place = nets3D.value?.projectToScreen(vertex, 0);
     const { x, y } = origin.value;
     return place ? { x: x + place.x, y: y + place.y } : null;
   };
   return (
-    <div class="nets" data-step={run.step.value}>
+    <div class="nets" data-step={run.step.value} data-pulled={run.pull.value?.vertices.length ?? 0}>
       <div class="nets-views" style={{ '--nets': count }}>
-        <canvas key={count} ref={canvas} class="nets-canvas" aria-label={t('page.nets.label')} role="img" />
-        {captions.map(({ name, note }) => (
+        <canvas
+          key={count}
+          ref={canvas}
+          class="nets-canvas"
+          aria-label={t(poke ? 'page.poke.label' : 'page.nets.label')}
+          role="img"
+        />
+        {captions.map(({ name, note }, net) => (
           <section key={name} class="net">
             <h4>{name}</h4>
-            <div class="net-view" />
+            <div class="net-view">{view && poke && <PullForce nets={view} net={net} pictures={pictures} />}</div>
             <p class="net-note">{note}</p>
           </section>
         ))}
@@ -100,6 +132,22 @@ export function Nets({ run, captions }: Props) {
             pictures={pictures}
             onMove={(vertex, target) => run.movePin(vertex, target)}
           />
+        )}
+        {view && poke && run.states.value && (
+          <>
+            <PokeHandle
+              nets={view}
+              V={run.scene.value.V}
+              stiffness={pokeStiffness}
+              pull={run.pull.value}
+              placeOf={placeOf}
+              pictures={pictures}
+              onPull={(pull) => {
+                run.pull.value = pull;
+              }}
+            />
+            <PullReport nets={view} pull={run.pull.value} />
+          </>
         )}
       </div>
       <NetsTransport run={run} onFit={() => view?.fit()} />
@@ -118,6 +166,10 @@ function NetsTransport({ run, onFit }: { run: SideBySide; onFit: () => void }) {
     run.playing.value = false;
     void run.run(1);
   };
+  const restart = () => {
+    run.pull.value = null; // from where the nets were then
+    void run.reset();
+  };
   return (
     <fieldset class="nets-transport" aria-label={t('page.transport.label')}>
       <button type="button" class="play" aria-disabled={off} onClick={off ? undefined : toggle}>
@@ -125,7 +177,7 @@ function NetsTransport({ run, onFit }: { run: SideBySide; onFit: () => void }) {
         {t(playing ? 'page.transport.pause' : 'page.transport.play')}
       </button>
       <IconButton icon="nextStep" label={t('page.transport.nextStep')} off={off} onClick={step} />
-      <IconButton icon="reset" label={t('page.nets.restart')} onClick={() => void run.reset()} />
+      <IconButton icon="reset" label={t('page.nets.restart')} onClick={restart} />
       <IconButton icon="fit" label={t('page.stage.fit')} onClick={onFit} />
       <p class="nets-place" aria-live={playing ? 'off' : 'polite'}>
         {t('page.nets.place', { step: run.step.value })}
@@ -161,6 +213,10 @@ function callbacks(run: SideBySide, onInvalidate: () => void): CanvasCallbacks {
     onDrag: (vertex, target) => run.movePin(vertex, target),
     onDragEnd: () => {
       run.held.value = null;
+    },
+    onPull: (pull) => {
+      run.pull.value = pull;
+      run.held.value = pull?.vertices[0] ?? null;
     },
     onCameraChange: () => {},
     onContextLost: () => notify('error', 'page.errors.contextLost'),

@@ -1,10 +1,15 @@
 import type { Camera, Selection } from '../../app/state.ts';
 import type { Rectangle } from '../../lib/rectangle.ts';
+import type { Pull } from '../../solver/protocol.ts';
 import { Canvas3D, type Picture } from './canvas3d.ts';
 import { quantile } from './exaggeration.ts';
 import { GlobalView } from './global_view.ts';
+import { neighbourTowards } from './neighbour_towards.ts';
 import { NetTables } from './net_tables.ts';
 import { lightPalette, type Palette } from './palette.ts';
+import { type PokeOptions, Poking } from './poking.ts';
+import { type Grip, pullOn } from './pull.ts';
+import { PullMarks } from './pull_marks.ts';
 import { stageOf } from './stages.ts';
 import { strokesFor } from './strokes.ts';
 import type { CanvasCallbacks, Scene3DModel, ScreenPoint } from './types.ts';
@@ -21,9 +26,18 @@ export interface NetsFrame {
 export interface NetsOptions {
   showSprings: boolean;
   showSurface: boolean;
+  /** Null: only pins can be dragged. */
+  poke: PokeOptions | null;
+  pull: Pull | null;
   palette: Palette;
 }
 
+/** Where a net's view shows the handle of the pull, CSS pixels of that view, and what pulls it there, N. */
+interface ShownPull extends ScreenPoint {
+  force: number;
+}
+
+const unmarked = new Int32Array();
 const nothing: Selection = { spring: null, vertex: null };
 
 /** Several nets of one scene, a view each, as variants of one simulation make them. It draws when `render()` is called and never by itself. */
@@ -32,17 +46,27 @@ export class Nets3D {
   private readonly callbacks: CanvasCallbacks;
   private content: NetsContent | null = null;
   private frame: NetsFrame | null = null;
-  private options: NetsOptions = { showSprings: true, showSurface: true, palette: lightPalette };
+  private viewports: readonly Rectangle[] = [];
+  private marked: Int32Array = unmarked;
+  private options: NetsOptions = {
+    showSprings: true,
+    showSurface: true,
+    poke: null,
+    pull: null,
+    palette: lightPalette,
+  };
 
   constructor(canvas: HTMLCanvasElement, callbacks: CanvasCallbacks) {
     this.callbacks = callbacks;
-    this.canvas = new Canvas3D(canvas, callbacks, () => this.picture());
+    const marking = { ...callbacks, onMark: (vertices: Int32Array | null) => this.mark(vertices) };
+    this.canvas = new Canvas3D(canvas, marking, () => this.picture());
   }
 
   /** Replaces the scene, of which `count` nets will be shown. */
   setScene(model: Scene3DModel, count: number): void {
     this.content?.dispose();
     this.content = new NetsContent(this.canvas, model, count, () => this.callbacks.onInvalidate());
+    this.marked = unmarked;
     this.canvas.begin(model.V);
   }
 
@@ -59,6 +83,7 @@ export class Nets3D {
 
   /** Where each net's view lies on the canvas. To be called whenever the canvas changes its size, too. */
   setViewports(rectangles: readonly Rectangle[]): void {
+    this.viewports = rectangles;
     this.canvas.setViewports(rectangles.map((rectangle, net) => ({ name: String(net), rectangle })));
   }
 
@@ -80,6 +105,51 @@ export class Nets3D {
     return this.canvas.projectToScreen(vertex, String(net));
   }
 
+  /** Vertices that a poke would take hold of. */
+  mark(vertices: Int32Array | null): void {
+    if (!vertices && this.marked.length === 0) return;
+    this.marked = vertices ?? unmarked;
+    this.callbacks.onInvalidate();
+  }
+
+  /** Of each net; null without a pull, or where it is behind the camera. */
+  shownPulls(): readonly (ShownPull | null)[] {
+    const { frame, viewports } = this;
+    const { pull } = this.options;
+    return viewports.map(({ x, y }, net) => {
+      if (!pull || !frame || !this.picture()) return null;
+      const { handle, force } = pullOn(pull, frame.nets[net]);
+      const place = this.canvas.projectPoint(handle, String(net));
+      return place && { x: place.x - x, y: place.y - y, force };
+    });
+  }
+
+  /** What a poke at a vertex of the first net takes hold of; null when nothing there can move. */
+  gripAt(vertex: number): Grip | null {
+    const { content, frame, options } = this;
+    if (!content || !frame || !options.poke) return null;
+    const p = frame.nets[0];
+    return content.poking.grip(content.poking.onVertex(vertex, p), p, frame.pinned, options.poke.radius);
+  }
+
+  /** Where pokes by keyboard begin; null when nothing can move. */
+  firstVertex(): number | null {
+    return this.content && this.frame && this.content.poking.first(this.frame.pinned);
+  }
+
+  /** The neighbour in a direction (to the right and up) on the screen, as the first net's view shows it; null when there is none. */
+  vertexTowards(vertex: number, direction: readonly [number, number]): number | null {
+    const here = this.projectToScreen(vertex, 0);
+    if (!here || !this.content) return null;
+    const fixed = new Set(this.frame?.pinned);
+    const places = new Map<number, ScreenPoint>();
+    for (const other of this.content.poking.neighboursOf(vertex)) {
+      const place = fixed.has(other) ? null : this.projectToScreen(other, 0);
+      if (place) places.set(other, place);
+    }
+    return neighbourTowards(here, places, direction);
+  }
+
   dispose(): void {
     this.content?.dispose();
     this.canvas.dispose();
@@ -89,6 +159,7 @@ export class Nets3D {
     const { content, frame } = this;
     if (!content || !frame || frame.nets.length !== content.views.length) return null;
     if (frame.nets.some((p) => p.length !== content.V.length)) return null;
+    const { poke } = this.options;
     return {
       V: content.V,
       typicalRestLength: content.typicalRestLength,
@@ -96,8 +167,9 @@ export class Nets3D {
       pinned: frame.pinned,
       targets: frame.targets,
       background: this.options.palette.background,
+      poke: poke && { ...poke, poking: content.poking },
       view: (name) => content.views[Number(name)],
-      refresh: (pixelsPerMetre) => content.refresh(frame, this.options, pixelsPerMetre),
+      refresh: (pixelsPerMetre) => content.refresh(frame, this.options, this.marked, pixelsPerMetre),
     };
   }
 }
@@ -109,17 +181,28 @@ class NetsContent {
   readonly typicalRestLength: number;
   /** #V×3, metres. */
   readonly V: Float64Array;
+  readonly poking: Poking;
   private readonly tables: NetTables;
+  private readonly pullMarks: readonly PullMarks[];
+  private tinted: Int32Array = unmarked;
   private shown: NetsFrame | null = null;
 
   constructor({ ink }: Canvas3D, model: Scene3DModel, count: number, onTexture: () => void) {
     this.V = model.V;
     this.tables = new NetTables(model.E);
     this.views = Array.from({ length: count }, () => new GlobalView(ink, model, this.tables, onTexture));
+    this.poking = new Poking(model);
+    this.pullMarks = this.views.map(({ scene }) => {
+      const marks = new PullMarks(ink, model.V.length / 3);
+      scene.add(marks.group);
+      return marks;
+    });
     this.typicalRestLength = quantile(model.r.length, (e) => model.r[e], 0.5);
   }
 
-  refresh(frame: NetsFrame, { palette, showSprings, showSurface }: NetsOptions, pixelsPerMetre: number): void {
+  refresh(frame: NetsFrame, options: NetsOptions, marked: Int32Array, pixelsPerMetre: number): void {
+    const { palette, pull, showSprings, showSurface } = options;
+    const touched = pull?.vertices ?? marked;
     const strokes = strokesFor(this.typicalRestLength * pixelsPerMetre);
     const { pinned, targets } = frame;
     if (frame !== this.shown) this.tables.setPins(frame);
@@ -129,12 +212,16 @@ class NetsContent {
       if (frame !== this.shown) view.update(stageOf(still, 1), null);
       view.setStyle(palette, strokes, { showSprings, showSurface, litSprings: false, litVertices: false });
       view.overlay.show(pinned.length, nothing, nothing);
+      if (touched !== this.tinted) view.tint(touched);
+      this.pullMarks[net].setStyle(palette, strokes);
+      this.pullMarks[net].show(touched, pull, view.points);
     });
     this.shown = frame;
+    this.tinted = touched;
   }
 
   dispose(): void {
-    for (const view of this.views) view.dispose();
+    for (const part of [...this.views, ...this.pullMarks]) part.dispose();
     this.tables.dispose();
   }
 }

@@ -40,6 +40,12 @@ export class Overlay {
     this.pointedAt.setStyle(palette, strokes, spring, 1.5);
   }
 
+  /** Whether pins are hidden by what is in front of them. */
+  hidePinsBehind(hidden: boolean): void {
+    this.pins.hideBehind(hidden);
+    this.leashes.hideBehind(hidden);
+  }
+
   show(pinCount: number, selected: Selection, pointedAt: Selection): void {
     this.pins.show(0, pinCount);
     this.leashes.show(0, pinCount);

@@ -9,6 +9,8 @@ export interface Palette {
   /** What this half-step moved. */
   arrow: string;
   pin: string;
+  /** What the reader pulls at, and the pull: the page's accent. */
+  pull: string;
   /** What is selected, or under the pointer, and the glow around it. */
   selected: string;
   glow: string;
@@ -27,6 +29,7 @@ export const lightPalette: Palette = {
   ghost: '#d3d8df',
   arrow: '#009e73',
   pin: '#b0407f',
+  pull: '#0b5fbf',
   selected: '#141a22',
   glow: '#ffd60a',
   cloth: '#dfe7ee',
@@ -40,6 +43,7 @@ export const darkPalette: Palette = {
   ghost: '#39414d',
   arrow: '#2ec79b',
   pin: '#e58fc0',
+  pull: '#6cb2ff',
   selected: '#ffffff',
   glow: '#b98900',
   cloth: '#8494a6',

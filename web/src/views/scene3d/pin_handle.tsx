@@ -4,19 +4,9 @@ import { t } from '../../app/messages/index.ts';
 import { cardId } from '../../app/pointing.ts';
 import type { Camera } from '../../app/state.ts';
 import type { Pins } from '../../solver/protocol.ts';
-import { diagonal, screenAxes } from './screen_axes.ts';
+import { moveOf } from './arrow_keys.ts';
 import type { ScreenPoint } from './types.ts';
 import './pin_handle.css';
-
-/** One press of an arrow key, as a fraction of the scene's diagonal; ten times as much with Shift. */
-const stride = 0.005;
-
-const directions: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 interface Props {
   pins: Pins;
@@ -54,15 +44,11 @@ export function PinHandle({ pins: { pinned, targets }, V, camera, placeOf, pictu
   const [x, y, z] = target.map((value) => value.toFixed(3));
 
   const onKeyDown = (event: KeyboardEvent) => {
-    const direction = directions[event.key];
+    const by = moveOf(event, V, camera());
     const turn = event.key === 'PageDown' ? 1 : event.key === 'PageUp' ? -1 : 0;
     if (turn !== 0) choose((row + turn + pinned.length) % pinned.length);
-    else if (direction) {
-      const by = stride * diagonal(V) * (event.shiftKey ? 10 : 1);
-      const { right, up } = screenAxes(camera());
-      const moved = target.map((value, axis) => value + by * (direction[0] * right[axis] + direction[1] * up[axis]));
-      onMove(vertex, moved as [number, number, number]);
-    } else return;
+    else if (by) onMove(vertex, target.map((value, axis) => value + by[axis]) as [number, number, number]);
+    else return;
     event.preventDefault();
     event.stopPropagation(); // here arrows move the pin, not the cursor in time
   };

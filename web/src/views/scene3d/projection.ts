@@ -1,4 +1,4 @@
-import { type Camera, Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { type Camera, Matrix4, Plane, type Ray, Raycaster, Vector2, Vector3 } from 'three';
 import type { Rectangle } from '../../lib/rectangle.ts';
 
 /** Column-major world → clip space. */
@@ -27,10 +27,15 @@ export function facingPlane(camera: Camera, point: Vector3): Plane {
   return new Plane().setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), point);
 }
 
-/** The point of the plane under a place of the canvas (CSS pixels), or null when the ray misses it. */
-export function pointOnPlane(camera: Camera, view: Rectangle, x: number, y: number, plane: Plane): Vector3 | null {
+/** From the eye through a place of the canvas, CSS pixels. */
+export function rayThrough(camera: Camera, view: Rectangle, x: number, y: number): Ray {
   const device = new Vector2((2 * (x - view.x)) / view.width - 1, 1 - (2 * (y - view.y)) / view.height);
   const raycaster = new Raycaster();
   raycaster.setFromCamera(device, camera);
-  return raycaster.ray.intersectPlane(plane, new Vector3());
+  return raycaster.ray;
+}
+
+/** The point of the plane under a place of the canvas (CSS pixels), or null when the ray misses it. */
+export function pointOnPlane(camera: Camera, view: Rectangle, x: number, y: number, plane: Plane): Vector3 | null {
+  return rayThrough(camera, view, x, y).intersectPlane(plane, new Vector3());
 }

@@ -118,6 +118,7 @@ export class Scene3D {
       p,
       pinned,
       targets,
+      poke: null,
       background: this.options.palette.background,
       view: (name) => content.views[name as ViewName],
       refresh: (pixelsPerMetre) => {

@@ -18,14 +18,19 @@ export class Surface {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly fans = new Table(2);
   private readonly others = new Table(2);
+  /** #V×2: 1 in the first column where the surface is tinted. */
+  private readonly tints = new Table(2);
+  private readonly vertexCount: number;
   private readonly uniforms;
 
   /** `points`: #V×3, metres. */
   constructor(model: Scene3DModel, points: Table, onTexture: () => void) {
     const { vertices, uvs, triangles } = surfaceCorners(model.F, model.texture);
     const { fans, others } = trianglesAround(model.F, model.V.length / 3);
+    this.vertexCount = model.V.length / 3;
     this.fans.set(fans);
     this.others.set(others);
+    this.setTinted([]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('vertex', new BufferAttribute(Float32Array.from(vertices), 1));
     geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
@@ -34,6 +39,8 @@ export class Surface {
       points: points.uniform,
       fans: this.fans.uniform,
       others: this.others.uniform,
+      tints: this.tints.uniform,
+      tintColour: { value: new Color() },
       picture: { value: null as Texture | null },
       pictured: { value: false },
       colour: { value: new Color() },
@@ -52,9 +59,17 @@ export class Surface {
     if (model.texture) this.loadTexture(model.texture.url, onTexture);
   }
 
-  /** "#rrggbb": while the texture is missing or still on its way. */
-  setColour(hex: string): void {
-    this.uniforms.colour.value.setHex(Number.parseInt(hex.slice(1), 16));
+  /** "#rrggbb" each: of the cloth while the texture is missing or still on its way, and of what is tinted. */
+  setColours(cloth: string, tint: string): void {
+    this.uniforms.colour.value.setHex(Number.parseInt(cloth.slice(1), 16));
+    this.uniforms.tintColour.value.setHex(Number.parseInt(tint.slice(1), 16));
+  }
+
+  /** Around these vertices. */
+  setTinted(vertices: ArrayLike<number>): void {
+    const rows = this.tints.write(this.vertexCount);
+    rows.fill(0);
+    for (let at = 0; at < vertices.length; at++) rows[2 * vertices[at]] = 1;
   }
 
   dispose(): void {
@@ -63,6 +78,7 @@ export class Surface {
     this.uniforms.picture.value?.dispose();
     this.fans.dispose();
     this.others.dispose();
+    this.tints.dispose();
   }
 
   private loadTexture(url: string, onTexture: () => void): void {
@@ -81,9 +97,11 @@ const vertexShader = /* glsl */ `
   uniform sampler2D points;
   uniform sampler2D fans;
   uniform sampler2D others;
+  uniform sampler2D tints;
   attribute float vertex;
   varying vec3 viewNormal;
   varying vec2 place;
+  varying float tint;
 
   vec3 pointOf(int v) { return row(points, v).xyz; }
 
@@ -102,6 +120,7 @@ const vertexShader = /* glsl */ `
   void main() {
     viewNormal = normalize(normalMatrix * normalOf(int(vertex)));
     place = uv;
+    tint = row(tints, int(vertex)).x;
     gl_Position = projectionMatrix * (modelViewMatrix * vec4(pointOf(int(vertex)), 1.0));
   }
 `;
@@ -111,8 +130,10 @@ const fragmentShader = /* glsl */ `
   uniform sampler2D picture;
   uniform bool pictured;
   uniform vec3 colour;
+  uniform vec3 tintColour;
   varying vec3 viewNormal;
   varying vec2 place;
+  varying float tint;
 
   const vec3 sky = vec3(0.541);
   const vec3 ground = vec3(0.299, 0.313, 0.341);
@@ -124,7 +145,7 @@ const fragmentShader = /* glsl */ `
     vec3 toLamp = mat3(viewMatrix) * normalize(cameraPosition + vec3(0.0, 0.5 * length(cameraPosition), 0.0));
     vec3 light = mix(ground, sky, 0.5 + 0.5 * dot(normal, up)) + lamp * max(0.0, dot(normal, toLamp));
     vec3 cloth = pictured ? texture2D(picture, place).rgb : colour;
-    gl_FragColor = vec4(light * cloth, 1.0);
+    gl_FragColor = vec4(light * mix(cloth, tintColour, 0.5 * tint), 1.0);
     #include <colorspace_fragment>
   }
 `;

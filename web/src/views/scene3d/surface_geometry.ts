@@ -26,6 +26,16 @@ export function surfaceCorners(F: Uint32Array, texture: Scene3DModel['texture'])
   return { vertices: Int32Array.from(vertices), uvs: Float32Array.from(uvs), triangles };
 }
 
+/** Whether triangles (#F×3) enclose something: none has an edge without another at it. */
+export function encloses(F: Uint32Array): boolean {
+  const open = new Set<string>();
+  for (let at = 0; at < F.length; at++) {
+    const [v, w] = [F[at], F[at % 3 === 2 ? at - 2 : at + 1]];
+    if (!open.delete(`${w}/${v}`)) open.add(`${v}/${w}`);
+  }
+  return F.length > 0 && open.size === 0;
+}
+
 /** The triangles around every vertex. */
 interface Fans {
   /** #V×2: where in `others` those of a vertex begin and end. */

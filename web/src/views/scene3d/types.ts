@@ -2,6 +2,7 @@ import type { Camera, Selection } from '../../app/state.ts';
 import type { Rectangle } from '../../lib/rectangle.ts';
 import type { Scene } from '../../scene/scene.ts';
 import type { Frame } from '../../solver/frame.ts';
+import type { Pull } from '../../solver/protocol.ts';
 import type { Palette } from './palette.ts';
 
 export type ViewName = 'local' | 'global';
@@ -61,6 +62,10 @@ export interface CanvasCallbacks {
   /** `target`: #3, metres. */
   onDrag(vertex: number, target: Float64Array): void;
   onDragEnd(vertex: number): void;
+  /** The vertices that a press would take hold of, or has, where nets can be poked. */
+  onMark?(vertices: Int32Array | null): void;
+  /** Null when the pull ends. */
+  onPull?(pull: Pull | null): void;
   onCameraChange(camera: Camera): void;
   onContextLost(): void;
 }

@@ -29,6 +29,15 @@ export const page = {
     place: '{{step}} time steps',
     restart: 'Start again',
   },
+  poke: {
+    label:
+      'The nets side by side. Press a net and drag to pull at it; pins can be dragged; empty space turns the camera of all.',
+    choose: 'Pull at vertex {{vertex}}. Arrow keys choose a neighbour, Enter takes hold.',
+    held: 'Vertex {{vertex}} is held. Arrow keys pull, with Shift farther; Escape lets go.',
+    one: 'Vertex {{vertex}}, pulled by {{forces}}',
+    several: 'Vertex {{vertex}} and {{more}} more, pulled by {{forces}}',
+    letGo: 'Let go',
+  },
   local: {
     name: 'Local',
     tagline: 'every spring alone, at its rest length',

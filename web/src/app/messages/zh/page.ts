@@ -29,6 +29,14 @@ export const page = {
     place: '已走 {{step}} 个时间步',
     restart: '从头开始',
   },
+  poke: {
+    label: '并排的几张网。按住网面拖动即可拉扯；固定点可以拖动；拖动空白处同时转动所有视图。',
+    choose: '拉质点 {{vertex}}。方向键选择相邻质点，回车键抓住。',
+    held: '已抓住质点 {{vertex}}。方向键拉动，同时按 Shift 拉得更远；Esc 键松手。',
+    one: '质点 {{vertex}} 受拉力 {{forces}}',
+    several: '质点 {{vertex}} 及另外 {{more}} 个质点受拉力 {{forces}}',
+    letGo: '已松手',
+  },
   local: {
     name: '局部步',
     tagline: '每根弹簧各自取原长',
