@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import {
   columnScale,
   formatFixed,
+  formatForce,
   formatInColumn,
   formatLength,
   formatNumber,
@@ -64,6 +65,16 @@ describe('formatFixed', () => {
     expect(formatFixed(-0.004, 2)).toBe('0.00');
     expect(formatFixed(-0.006, 2)).toBe('−0.01');
   });
+});
+
+describe('formatForce', () => {
+  it.each([
+    [0, '0\u202fN'],
+    [-9.8, '−9.80\u202fN'],
+    [9999, '9999\u202fN'],
+    [10000, '10.0\u202fkN'],
+    [833587, '834\u202fkN'],
+  ])('%d N → %s', (newtons, text) => expect(formatForce(newtons)).toBe(text));
 });
 
 describe('formatQuantity and formatLength', () => {

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Interaction } from '../../../../web/src/views/scene3d/interaction.ts';
 import { OrbitCamera } from '../../../../web/src/views/scene3d/orbit_camera.ts';
+import { Poking } from '../../../../web/src/views/scene3d/poking.ts';
 import { projectPoints, worldToClip } from '../../../../web/src/views/scene3d/projection.ts';
 import type { Scene3DCallbacks } from '../../../../web/src/views/scene3d/types.ts';
 import type { DrawnView } from '../../../../web/src/views/scene3d/view_picker.ts';
@@ -33,6 +34,8 @@ const callbacks = {
   onDrag: vi.fn<Scene3DCallbacks['onDrag']>(),
   onDragEnd: vi.fn<Scene3DCallbacks['onDragEnd']>(),
   onCameraChange: vi.fn<Scene3DCallbacks['onCameraChange']>(),
+  onMark: vi.fn<NonNullable<Scene3DCallbacks['onMark']>>(),
+  onPull: vi.fn<NonNullable<Scene3DCallbacks['onPull']>>(),
   onLegend: vi.fn<Scene3DCallbacks['onLegend']>(),
   onContextLost: vi.fn<Scene3DCallbacks['onContextLost']>(),
 };
@@ -123,5 +126,65 @@ describe('hovering', () => {
     canvas.send('pointermove', ...placeOf(0, 0.5, 0));
     expect(callbacks.onHover).toHaveBeenCalledTimes(2);
     expect(callbacks.onHover).toHaveBeenLastCalledWith(null);
+  });
+});
+
+describe('where nets can be poked', () => {
+  /** The same chain, whose vertex 2 alone lies within 0.3 m of itself. */
+  const poking = new Poking({ V: points, E: Int32Array.of(0, 1, 1, 2), F: new Uint32Array() });
+  const poked = { ...view, poke: { poking, radius: 0.3, stiffness: 1e3 } };
+  const to = ([x, y]: [number, number]): [number, number] => [x + 30, y - 20];
+
+  beforeEach(() => {
+    interaction.dispose();
+    interaction = new Interaction(canvas.asCanvas(), orbitCamera, () => poked, callbacks);
+  });
+
+  it('a drag marks what it holds, pulls it by as much as the pointer moves, and ends', () => {
+    const [x, y] = placeOf(0.4, 0, 0);
+    canvas.send('pointerdown', x, y);
+    expect(callbacks.onMark).toHaveBeenLastCalledWith(Int32Array.of(2));
+    expect(callbacks.onPull).not.toHaveBeenCalled();
+    canvas.send('pointermove', ...to([x, y]));
+    const pull = callbacks.onPull.mock.lastCall?.[0];
+    expect(pull).toMatchObject({ vertices: Int32Array.of(2), stiffness: 1e3 });
+    const [targetX, targetY, targetZ] = pull?.targets ?? [];
+    // Screen places are single precision.
+    const [pulledX, pulledY] = placeOf(targetX, targetY, targetZ);
+    expect(pulledX).toBeCloseTo(x + 30, 3);
+    expect(pulledY).toBeCloseTo(y - 20, 3);
+    canvas.send('pointerup', ...to([x, y]));
+    expect(callbacks.onPull).toHaveBeenLastCalledWith(null);
+    expect(callbacks.onMark).toHaveBeenLastCalledWith(null);
+    expect(callbacks.onCameraChange).not.toHaveBeenCalled();
+  });
+
+  it('pins come first, and empty space still turns the camera', () => {
+    canvas.send('pointerdown', ...placeOf(-0.4, 0, 0));
+    canvas.send('pointermove', ...to(placeOf(-0.4, 0, 0)));
+    canvas.send('pointerup', ...to(placeOf(-0.4, 0, 0)));
+    expect(callbacks.onDrag).toHaveBeenCalledOnce();
+    canvas.send('pointerdown', ...placeOf(0, 0.5, 0));
+    canvas.send('pointermove', ...to(placeOf(0, 0.5, 0)));
+    expect(callbacks.onCameraChange).toHaveBeenCalledOnce();
+    expect(callbacks.onPull).not.toHaveBeenCalled();
+  });
+
+  it('a second finger lets go and takes hold of nothing', () => {
+    const [x, y] = placeOf(0.4, 0, 0);
+    canvas.send('pointerdown', x, y, { pointerType: 'touch' });
+    canvas.send('pointermove', ...to([x, y]), { pointerType: 'touch' });
+    canvas.send('pointerdown', x - 100, y, { pointerType: 'touch', pointerId: 2 });
+    expect(callbacks.onPull).toHaveBeenLastCalledWith(null);
+    canvas.send('pointermove', x - 120, y, { pointerType: 'touch', pointerId: 2 });
+    expect(callbacks.onPull).toHaveBeenCalledTimes(2);
+    expect(callbacks.onCameraChange).toHaveBeenCalled();
+  });
+
+  it('a mouse that rests on a net shows what a press would take hold of', () => {
+    canvas.send('pointermove', ...placeOf(0.4, 0, 0));
+    expect(callbacks.onMark).toHaveBeenLastCalledWith(Int32Array.of(2));
+    canvas.send('pointermove', ...placeOf(0, 0.5, 0));
+    expect(callbacks.onMark).toHaveBeenLastCalledWith(null);
   });
 });

@@ -16,9 +16,9 @@ function contrast(one: string, other: string): number {
 }
 
 describe.each([lightPalette, darkPalette])('on $background', (palette) => {
-  const { background, spring, vertex, arrow, pin, selected, glow, strain, ghost } = palette;
+  const { background, spring, vertex, arrow, pin, pull, selected, glow, strain, ghost } = palette;
 
-  it.each([{ spring, vertex, arrow, pin, selected, compressed: strain[0], stretched: strain[4] }])(
+  it.each([{ spring, vertex, arrow, pin, pull, selected, compressed: strain[0], stretched: strain[4] }])(
     'what carries meaning has the 3 : 1 that graphics need',
     (colours) => {
       for (const colour of Object.values(colours)) expect(contrast(colour, background)).toBeGreaterThanOrEqual(3);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { surfaceCorners, trianglesAround } from '../../../../web/src/views/scene3d/surface_geometry.ts';
+import { encloses, surfaceCorners, trianglesAround } from '../../../../web/src/views/scene3d/surface_geometry.ts';
 
 /** Two triangles that share the edge 1–2. */
 const F = Uint32Array.of(0, 1, 2, 2, 1, 3);
@@ -23,6 +23,15 @@ describe('surfaceCorners', () => {
       expect(vertices[corner]).toBe(F[at]);
       expect([...uvs.subarray(2 * corner, 2 * corner + 2)]).toEqual([2 * texture.FT[at], 2 * texture.FT[at] + 1]);
     });
+  });
+});
+
+describe('encloses', () => {
+  it('is true of a tetrahedron and false when a side is missing', () => {
+    const sides = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+    expect(encloses(Uint32Array.from(sides))).toBe(true);
+    expect(encloses(Uint32Array.from(sides.slice(3)))).toBe(false);
+    expect(encloses(new Uint32Array())).toBe(false);
   });
 });
 

@@ -5,6 +5,10 @@ import { formatForce } from '../../lib/format.ts';
 import type { Pull } from '../../solver/protocol.ts';
 import type { Nets3D } from './nets3d.ts';
 
+/** CSS pixels from the handle to the top of its label, above it or, where there is no room, below. */
+const roomAbove = 46;
+const below = 22;
+
 interface ForceProps {
   nets: Nets3D;
   net: number;
@@ -27,7 +31,8 @@ export function PullForce({ nets, net, pictures }: ForceProps) {
         if (!pull) return;
         label.current.textContent = formatForce(pull.force);
         label.current.style.setProperty('--x', `${pull.x}px`);
-        label.current.style.setProperty('--y', `${pull.y}px`);
+        const aside = pull.y < roomAbove ? below : -roomAbove;
+        label.current.style.setProperty('--y', `${pull.y + aside}px`);
       }),
     [nets, net, pictures],
   );
