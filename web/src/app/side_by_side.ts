@@ -41,15 +41,17 @@ export class SideBySide {
   /** Time steps made since the start. */
   readonly step = signal(0);
   readonly pins = signal<Pins>({ pinned: new Int32Array(), targets: new Float64Array() });
-  /** What the reader pulls at, in all variants alike. */
-  readonly pull = signal<Pull | null>(null);
   readonly playing = signal(false);
-  /** The vertex that the reader holds with a pointer: time runs as long as it is held. */
+  /** The pin that the reader holds: time runs as long as it is held. */
   readonly held = signal<number | null>(null);
+  /** What pulls at all variants: time runs as long as it does. */
+  readonly pull = signal<Pull | null>(null);
   /** Whether there is something still able to move. */
   readonly alive = computed(() => this.states.value?.some(({ failure }) => failure === null) ?? false);
 
-  private readonly running = computed(() => this.alive.value && (this.playing.value || this.held.value !== null));
+  private readonly running = computed(
+    () => this.alive.value && (this.playing.value || this.held.value !== null || this.pull.value !== null),
+  );
   private readonly createWorker: () => Worker;
   private readonly wasmBinary: () => Promise<ArrayBuffer>;
   private readonly clock = new Clock();

@@ -19,13 +19,13 @@ export interface Pins {
   targets: Float64Array;
 }
 
-/** Springs of rest length 0, each from a vertex to a point of its own. */
+/** Springs of rest length 0, each from a vertex to a point of its own: what a pointer does that holds on to a surface. */
 export interface Pull {
-  /** Indices into the rows of V. */
+  /** #pulled, indices into the rows of V. */
   vertices: Int32Array;
-  /** #vertices×3, m. */
+  /** #pulled×3, m. */
   targets: Float64Array;
-  /** N/m: of each. */
+  /** N/m, of each. */
   stiffness: number;
 }
 

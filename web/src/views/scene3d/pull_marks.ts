@@ -43,18 +43,22 @@ export class PullMarks {
 
   /** `points` #V×3, metres. */
   show(vertices: Int32Array, pull: Pull | null, points: Float64Array): void {
+    this.dots.mesh.visible = vertices.length > 0;
+    this.arrow.mesh.visible = pull !== null;
+    this.handle.mesh.visible = pull !== null;
+    if (vertices.length > 0) this.placeDots(vertices, points);
+    if (!pull) return;
+    const { centre, handle } = pullOn(pull, points);
+    this.tails.set(centre);
+    this.tips.set(handle);
+  }
+
+  private placeDots(vertices: Int32Array, points: Float64Array): void {
     const places = this.places.write(vertices.length);
     vertices.forEach((v, at) => {
       places.set(points.subarray(3 * v, 3 * v + 3), 3 * at);
     });
     this.dots.show(0, vertices.length);
-    this.dots.mesh.visible = vertices.length > 0;
-    this.arrow.mesh.visible = pull !== null;
-    this.handle.mesh.visible = pull !== null;
-    if (!pull) return;
-    const { centre, handle } = pullOn(pull, points);
-    this.tails.set(centre);
-    this.tips.set(handle);
   }
 
   dispose(): void {
