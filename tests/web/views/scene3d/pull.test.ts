@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { pullBy, pullOn } from '../../../../web/src/views/scene3d/pull.ts';
+import { arrowTip, pullBy, pullOn } from '../../../../web/src/views/scene3d/pull.ts';
 
 const vertices = Int32Array.of(2, 0);
 const grip = { vertices, from: Float64Array.of(1, 0, 0, 3, 0, 0) };
@@ -23,5 +23,24 @@ describe('pullOn', () => {
 
   it('is nothing when all are where they are pulled to', () => {
     expect(pullOn(pullBy(grip, [0, 0, 0], 100), points).force).toBe(0);
+  });
+});
+
+describe('arrowTip', () => {
+  /** Metres along y, at 100 pixels a metre. */
+  const lengthOf = (metres: number) =>
+    arrowTip({ centre: Float64Array.of(1, 2, 3), handle: Float64Array.of(1, 2 + metres, 3) }, 100)[1] - 2;
+
+  it('is the handle as soon as that is 32 pixels away', () => {
+    expect(lengthOf(0.5)).toBe(0.5);
+    expect(lengthOf(-4)).toBe(-4);
+  });
+
+  it('lies 32 pixels towards it when it is nearer, and in the middle when nothing pulls', () => {
+    // Differences of numbers near 2 have 15 digits.
+    expect(lengthOf(0.02)).toBeCloseTo(0.32, 14);
+    expect(lengthOf(-0.01)).toBeCloseTo(-0.32, 14);
+    expect(lengthOf(0.005)).toBeCloseTo(0.16, 14); // half a pixel
+    expect(lengthOf(0)).toBe(0);
   });
 });

@@ -71,7 +71,7 @@ export class NetsContent {
       view.overlay.show(pinned.length, nothing, nothing);
       if (touched !== this.tinted) view.tint(touched);
       this.pullMarks[net].setStyle(palette, strokes);
-      this.pullMarks[net].show(touched, pull, view.points);
+      this.pullMarks[net].show(touched, pull, view.points, pixelsPerMetre);
     });
     this.shown = frame;
     this.tinted = touched;

@@ -34,3 +34,17 @@ export function pullOn({ vertices, targets, stiffness }: Pull, points: Float64Ar
   const force = stiffness * count * Math.hypot(handle[0] - centre[0], handle[1] - centre[1], handle[2] - centre[2]);
   return { centre, handle, force };
 }
+
+/** CSS pixels, of an arrow that shows where a pull of any size goes. */
+const legibleArrow = 32;
+
+/**
+ * #3, metres: where the arrow of a pull ends, which is at the handle. But stiff springs are hardly longer than a pixel when the vertices have
+ * followed, and would show no force: from one pixel on, the arrow is long enough to be seen, below it shrinks to nothing.
+ */
+export function arrowTip({ centre, handle }: Pick<PullOn, 'centre' | 'handle'>, pixelsPerMetre: number): Float64Array {
+  const along = handle.map((value, axis) => value - centre[axis]);
+  const pixels = Math.hypot(along[0], along[1], along[2]) * pixelsPerMetre;
+  const stretch = pixels > legibleArrow ? 1 : legibleArrow / Math.max(1, pixels);
+  return centre.map((value, axis) => value + stretch * along[axis]);
+}

@@ -3,7 +3,7 @@ import type { Pull } from '../../solver/protocol.ts';
 import type { Ink } from './ink.ts';
 import { Marks } from './marks.ts';
 import type { Palette } from './palette.ts';
-import { pullOn } from './pull.ts';
+import { arrowTip, pullOn } from './pull.ts';
 import { joining } from './segment_ends.ts';
 import { Segments } from './segments.ts';
 import type { Strokes } from './strokes.ts';
@@ -19,9 +19,10 @@ export class PullMarks {
   readonly group = new Group();
   private readonly places = new Table(3);
   private readonly dots: Marks;
-  /** A row each: the arrow's ends. */
+  /** A row each: the arrow's ends, and the handle. */
   private readonly tails = new Table(3);
   private readonly tips = new Table(3);
+  private readonly handles = new Table(3);
   private readonly pair = new Table(2);
   private readonly arrow: Segments;
   private readonly handle: Marks;
@@ -30,7 +31,7 @@ export class PullMarks {
     this.pair.set([0, 0]);
     this.dots = new Marks(ink, 'net', vertexCount, 'disc', this.places);
     this.arrow = new Segments(ink, 'arrow', 1, joining(this.pair, this.tails, this.tips));
-    this.handle = new Marks(ink, 'pin', 1, 'ring', this.tips);
+    this.handle = new Marks(ink, 'pin', 1, 'ring', this.handles);
     this.group.add(this.dots.mesh, this.arrow.mesh, this.handle.mesh);
   }
 
@@ -42,15 +43,16 @@ export class PullMarks {
   }
 
   /** `points` #V×3, metres. */
-  show(vertices: Int32Array, pull: Pull | null, points: Float64Array): void {
+  show(vertices: Int32Array, pull: Pull | null, points: Float64Array, pixelsPerMetre: number): void {
     this.dots.mesh.visible = vertices.length > 0;
     this.arrow.mesh.visible = pull !== null;
     this.handle.mesh.visible = pull !== null;
     if (vertices.length > 0) this.placeDots(vertices, points);
     if (!pull) return;
-    const { centre, handle } = pullOn(pull, points);
-    this.tails.set(centre);
-    this.tips.set(handle);
+    const shown = pullOn(pull, points);
+    this.tails.set(shown.centre);
+    this.tips.set(arrowTip(shown, pixelsPerMetre));
+    this.handles.set(shown.handle);
   }
 
   private placeDots(vertices: Int32Array, points: Float64Array): void {
@@ -63,6 +65,6 @@ export class PullMarks {
 
   dispose(): void {
     for (const part of [this.dots, this.arrow, this.handle]) part.dispose();
-    for (const table of [this.places, this.tails, this.tips, this.pair]) table.dispose();
+    for (const table of [this.places, this.tails, this.tips, this.handles, this.pair]) table.dispose();
   }
 }
