@@ -11,8 +11,8 @@ namespace {
 
 // The Rayleigh quotient grows to ω² from below, and comes nearer by the square of what the vector
 // does.
-constexpr int most_iterations = 200;
-constexpr double close_enough = 1e-6;  // relative change of ω² in an iteration
+constexpr int most_iterations = 400;
+constexpr double close_enough = 1e-7;  // relative change of ω² in an iteration
 
 /// A spring as it resists small moves: along n with k, across it with a share of that.
 struct Linear {

@@ -4,7 +4,7 @@
 
 namespace mass_spring {
 
-/// ω of the fastest oscillation of springs and pulls around q, rad/s, to about three digits: ω² is
+/// ω of the fastest oscillation of springs and pulls around q, rad/s, to half a percent: ω² is
 /// the largest eigenvalue of M⁻¹(-K), found by iterating with it. Where springs push, across which
 /// nothing oscillates, K is taken without that part.
 /// @param q  #V by 3, m; pinned vertices do not move

@@ -311,7 +311,7 @@ TEST_CASE("the largest frequency: two masses, a chain, a pull, and what is pinne
   const DenseMatrix scaled = scale.asDiagonal().inverse() * -K * scale.asDiagonal().inverse();
   const double exact =
       std::sqrt(Eigen::SelfAdjointEigenSolver<DenseMatrix>(scaled).eigenvalues().maxCoeff());
-  CHECK(largest_frequency(net.step, net.V) == doctest::Approx(exact).epsilon(1e-3));
+  CHECK(largest_frequency(net.step, net.V) == doctest::Approx(exact).epsilon(5e-3));
 }
 
 TEST_CASE("explicit methods hold an oscillation up to their limits, and not beyond") {
@@ -320,7 +320,7 @@ TEST_CASE("explicit methods hold an oscillation up to their limits, and not beyo
       const double limit = stability_limit(method, zeta);
       for (const double share : {0.98, 1.02}) {
         // ω = √2 of masses of 1 kg on 1 N/m; ζ = C ω/(2k).
-        const double omega = std::sqrt(2.0), delta_t = std::max(share * limit, 0.05) / omega;
+        const double omega = std::sqrt(2.0), delta_t = (limit == 0 ? 0.2 : share * limit) / omega;
         TimeStep step = pair_of_masses(0.001, 1, 1, delta_t);
         step.damping = 2 * zeta / omega;
         for (int t = 0; t < 4000; ++t) {

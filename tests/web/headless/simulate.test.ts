@@ -16,7 +16,8 @@ describe('simulate', startsProcesses, () => {
   it('prints one JSON object: what was run, where it ended, what it cost', () => {
     const { stdout, stderr, status } = simulate('scenes/net.json', '--steps', '3', '--iterations', '5', '--dt', '0.02');
     expect([stderr, status]).toEqual(['', 0]);
-    const { positions, velocities, objective, energy, iterationsMade, stopReason, milliseconds, ...run } = JSON.parse(stdout);
+    const { positions, velocities, objective, energy, iterationsMade, stopReason, milliseconds, ...run } =
+      JSON.parse(stdout);
     expect(run).toEqual({
       scene: 'net',
       vertexCount: 61,

@@ -229,7 +229,7 @@ export interface Simulation {
   energy(): MechanicalEnergy;
   /** #V×3, m/s: likewise. Also where the method is forward Euler, whose last change of the positions is an older velocity. */
   velocity(): Float64Array;
-  /** ω of the fastest oscillation of springs and pulls around the settled positions, rad/s, to about three digits. Takes some ms. */
+  /** ω of the fastest oscillation of springs and pulls around the settled positions, rad/s, to half a percent. Takes some ms. */
   largest_frequency(): number;
   /** How large Δt ω may be before the oscillation grows: 2 for symplectic Euler, 0 for forward Euler without damping; infinite for the others. */
   stability_limit(): number;
