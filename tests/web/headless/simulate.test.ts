@@ -43,6 +43,32 @@ describe('simulate', startsProcesses, () => {
     });
   });
 
+  it('takes the course’s other integrators, substeps and damping, and tells energies and velocities', () => {
+    const { stdout } = simulate(
+      ...['scenes/single-spring-horizontal.json', '--method', 'symplectic-euler', '--dt', '0.02', '--k', '100'],
+      ...['--steps', '1', '--substeps', '2', '--damping', '3'],
+    );
+    const { positions, velocities, energy, method, substeps, damping } = JSON.parse(stdout);
+    expect([method, substeps, damping]).toEqual(['symplectic-euler', 2, 3]);
+    // Two steps of 0.01 s: first gravity alone, v = −0.098; then the level spring has turned, not stretched by more than 5e-7 m, and
+    // resists with less than 1e-4 N: v = −0.196, y = −0.098·0.01 − 0.196·0.01.
+    expect(positions[0]).toEqual([-0.5, 0, 0]);
+    expect(positions[1][1]).toBeCloseTo(-2.94e-3, 6);
+    expect(velocities[1][1]).toBeCloseTo(-0.196, 4);
+    expect(energy).toHaveLength(1);
+    const [x, y] = positions[1];
+    expect(energy[0].gravity).toBeCloseTo(9.8 * y, 12);
+    expect(energy[0].kinetic).toBeCloseTo((velocities[1][0] ** 2 + velocities[1][1] ** 2) / 2, 12);
+    expect(energy[0].spring).toBeCloseTo(50 * (Math.hypot(x + 0.5, y) - 1) ** 2, 12);
+  });
+
+  it('says that a method left its stable region, and with which numbers', () => {
+    const args = ['scenes/rabbit.json', '--method', 'symplectic-euler', '--steps', '1000'];
+    const { stdout, stderr, status } = simulate(...args);
+    expect(stderr).toMatch(/^rabbit\.json symplectic-euler: left its stable region: Δt·ω = \d\.\d+ > 2\n$/);
+    expect([stdout, status]).toEqual(['', 2]);
+  });
+
   it('takes one step of the single spring as by hand', () => {
     const { stdout } = simulate(
       'scenes/single-spring-horizontal.json',
