@@ -9,6 +9,7 @@ const scene = net(4);
 const held = { pinned: scene.pinned, targets: Float64Array.from([0, 0.5, 0, 0.375, 0.5, 0]) };
 const variant = (change: Partial<Parameters>): Variant => ({
   parameters: { ...usualParameters, ...change },
+  substeps: 1,
   mistake: 'none',
 });
 const variants = [1, 10, 50].map((iterations) => variant({ iterations }));
@@ -22,7 +23,7 @@ function opened(list: readonly Variant[], from: Checkpoint | null = null) {
 
 test('every variant moves as it would alone', () => {
   const { session } = opened(variants);
-  const states = session.run(held, 7);
+  const states = session.run(held, null, 7);
   variants.forEach(({ parameters }, at) => {
     const alone = openSimulation(scene, parameters);
     expectOk(alone.set_pins(held.pinned, held.targets));
@@ -40,7 +41,7 @@ test('all begin where the checkpoint’s time step begins', () => {
   const { session, states } = opened([variants[1]], from);
   expect(states[0].p).toEqual(from.p_curr);
   expectOk(alone.step());
-  expect(session.run(held, 1)[0].p).toEqual(alone.p());
+  expect(session.run(held, null, 1)[0].p).toEqual(alone.p());
 });
 
 test('a stiff chain, let go, swings down the slower the fewer the iterations: an unfinished solve looks damped', () => {
@@ -49,7 +50,7 @@ test('a stiff chain, let go, swings down the slower the fewer the iterations: an
   const session = new SideBySideSession(solver);
   const stiff = variants.map(({ parameters }) => variant({ ...parameters, k: 1e5 }));
   expect(session.open(horizontal, stiff, pin, null).ok).toBe(true);
-  const heights = session.run(pin, 10).map(({ energies }) => energies[9].external);
+  const heights = session.run(pin, null, 10).map(({ energies }) => energies[9].external);
   expect(heights[0]).toBeGreaterThan(heights[1]);
   expect(heights[1]).toBeGreaterThan(heights[2]);
 });
@@ -61,14 +62,14 @@ test('what is refused says so, and which parameter', () => {
 
 test('a variant with a mistake that diverges says where and stands still, while the right one goes on', () => {
   const usual = variants[1].parameters;
-  const { session, states } = opened([variants[1], { parameters: usual, mistake: 'times-swapped' }]);
+  const { session, states } = opened([variants[1], { parameters: usual, substeps: 1, mistake: 'times-swapped' }]);
   expect(states.map(({ cost }) => cost?.storedInQ)).toEqual([undefined, 16 + 2 * 33]);
-  const [right, wrong] = session.run(held, 100);
+  const [right, wrong] = session.run(held, null, 100);
   expect(right).toMatchObject({ failure: null, cost: null });
   expect(right.energies).toHaveLength(100);
   expect(wrong.failure?.status).toMatchObject({ code: 'diverged', field: 'p' });
   expect(wrong.failure).toMatchObject({ step: wrong.energies.length + 1, half_step: 2 });
   expect(wrong.p.every(Number.isFinite)).toBe(true);
-  const [, later] = session.run(held, 1);
+  const [, later] = session.run(held, null, 1);
   expect(later).toMatchObject({ energies: [], failure: wrong.failure, p: wrong.p });
 });

@@ -18,6 +18,7 @@ const scene: Scene = {
 const pins = { pinned, targets: Float64Array.from([...pinned].flatMap((i) => [...V.subarray(3 * i, 3 * i + 3)])) };
 const variants = [1, 10].map((iterations) => ({
   parameters: { ...usualParameters, iterations },
+  substeps: 1,
   mistake: 'none' as const,
 }));
 
@@ -33,7 +34,9 @@ function newRun(): SideBySide {
     const worker = new PortWorker({
       start: async () => {},
       open: async (...request: Parameters<SideBySideSession['open']>) => session.open(...request),
+      change: async (...request: Parameters<SideBySideSession['change']>) => session.change(...request),
       run: async (...request: Parameters<SideBySideSession['run']>) => session.run(...request),
+      sameInstant: async (...request: Parameters<SideBySideSession['sameInstant']>) => session.sameInstant(...request),
     });
     workers.push(worker);
     return worker.asWorker();
@@ -109,4 +112,52 @@ test('what still waits when the reader leaves finds no new worker; what is asked
   expect(notices.value).toEqual([]);
   expect(await run.open(variants, { scene, pins, from: null })).toBe(true);
   expect(workers.filter(({ ended }) => !ended)).toHaveLength(1);
+});
+
+test('a change overtaken by another before its turn is not made; curves go on with who they belong to', async () => {
+  const run = newRun();
+  await run.open(variants, { scene, pins, from: null });
+  await run.run(2);
+  const softer = variants.map((variant) => ({ ...variant, parameters: { ...variant.parameters, k: 500 } }));
+  const refused = [{ ...variants[0], parameters: { ...usualParameters, k: -1 } }];
+  const [overtaken, last] = [run.change(refused), run.change([softer[1], softer[0], variants[0]])];
+  expect(await Promise.all([overtaken, last])).toEqual([true, true]);
+  expect(notices.value).toEqual([]);
+  expect(run.states.value).toHaveLength(3);
+  // The equal one is found first; the others go on from those left, in order.
+  expect(run.energies.value.map((curve) => curve.length)).toEqual([2, 0, 2]);
+  await run.reset();
+  expect(run.states.value).toHaveLength(3);
+});
+
+test('a refused change is said and leaves all as it was', async () => {
+  const run = newRun();
+  await run.open(variants, { scene, pins, from: null });
+  expect(await run.change([{ ...variants[0], parameters: { ...usualParameters, k: -1 } }])).toBe(false);
+  expect(notices.value).toMatchObject([{ key: 'page.errors.not_positive' }]);
+  await run.reset();
+  expect(run.states.value).toHaveLength(2);
+});
+
+test('distances are measured from the variant of reference', async () => {
+  const run = newRun();
+  await run.open(variants, { scene, pins, from: null });
+  await run.run(3);
+  expect(run.distances.value[0]).toEqual([{ time: 3 / 30, distance: 0 }]);
+  expect(run.distances.value[1][0].distance).toBeGreaterThan(0);
+  run.measureBy(1);
+  expect(run.distances.value).toEqual([[], []]);
+  await run.run(1);
+  expect(run.distances.value[1]).toMatchObject([{ distance: 0 }]);
+});
+
+test('the same instant is one time step by all, with the errors of each', async () => {
+  const run = newRun();
+  await run.open(variants, { scene, pins, from: null });
+  await run.run(3);
+  await run.sameInstant(1);
+  expect(run.step.value).toBe(4);
+  const { leader, errors } = run.instant.value ?? { leader: null, errors: [] };
+  expect(leader).toBe(1);
+  expect(errors[0]?.objective).toBeGreaterThan(errors[1]?.objective ?? Number.POSITIVE_INFINITY);
 });

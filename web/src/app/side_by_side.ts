@@ -2,12 +2,20 @@ import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { type Remote, wrap } from 'comlink';
 import { noScene, type Scene } from '../scene/scene.ts';
 import { SolverCrash } from '../solver/client.ts';
-import type { MechanicalEnergy, Parameters } from '../solver/module.ts';
+import type { Parameters } from '../solver/module.ts';
 import type { Checkpoint, Outcome, Pins, Pull } from '../solver/protocol.ts';
-import type { OpenedSideBySide, SideBySideService, Variant, VariantState } from '../solver/side_by_side.ts';
+import type {
+  ChangedSideBySide,
+  Instant,
+  OpenedSideBySide,
+  SideBySideService,
+  Variant,
+  VariantState,
+} from '../solver/side_by_side.ts';
 import { Clock } from './clock.ts';
 import { notifyOf, notifyRefusal } from './explanation.ts';
 import { Obstacle } from './obstacle.ts';
+import { type DistanceSample, type EnergySample, SideBySideRecord } from './side_by_side_record.ts';
 import { fetchSolver } from './start_solver.ts';
 
 /** What all variants have in common. */
@@ -36,10 +44,16 @@ export class SideBySide {
   readonly r = signal<Float64Array>(new Float64Array(0));
   /** One for each variant, in their order; null before they are open. */
   readonly states = signal<readonly VariantState[] | null>(null);
-  /** Of each variant, after every time step since the start, J. While time runs not at every picture, because nobody reads so fast. */
-  readonly energies = signal<readonly (readonly MechanicalEnergy[])[]>([]);
+  /** Of each variant, after every time step since the start, or the latest of them. While time runs not at every picture, because nobody reads so fast. */
+  readonly energies = signal<readonly (readonly EnergySample[])[]>([]);
+  /** Of each variant, how far it was from the one of reference at the latest pictures. As often as energies. */
+  readonly distances = signal<readonly (readonly DistanceSample[])[]>([]);
+  /** Which variant the others are measured by. */
+  readonly reference = signal(0);
   /** Time steps made since the start. */
   readonly step = signal(0);
+  /** What the latest time step by all from the same motion has shown, and from whose. */
+  readonly instant = signal<(Instant & { leader: number }) | null>(null);
   readonly pins = signal<Pins>({ pinned: new Int32Array(), targets: new Float64Array() });
   readonly playing = signal(false);
   /** The pin that the reader holds: time runs as long as it is held. */
@@ -57,7 +71,9 @@ export class SideBySide {
   private readonly clock = new Clock();
   private crew: Crew | null = null;
   private start: (CommonStart & { variants: readonly Variant[] }) | null = null;
-  private history: MechanicalEnergy[][] = [];
+  private readonly record = new SideBySideRecord();
+  /** What the latest change asks for: one that is overtaken before its turn is not made. */
+  private wanted: readonly Variant[] = [];
   private legibleSince = Number.NEGATIVE_INFINITY;
   /** Requests take turns. */
   private last: Promise<unknown> = Promise.resolve();
@@ -99,15 +115,37 @@ export class SideBySide {
     const outcome = await this.ask<Outcome<OpenedSideBySide>>(async (service) =>
       service.open(problemOf(scene), variants, pins, from),
     );
-    if (outcome === null) return false;
-    if (!outcome.ok) {
-      const { status } = outcome;
-      notifyRefusal(status);
-      return false;
-    }
+    if (outcome === null || !isTaken(outcome)) return false;
     this.start = { ...start, variants };
     this.take(outcome.value);
     return true;
+  }
+
+  /** Other methods or settings; all go on from where they are. False when one is refused, after a word about it: nothing has changed then. */
+  async change(variants: readonly Variant[]): Promise<boolean> {
+    this.wanted = variants;
+    const outcome = await this.ask<Outcome<ChangedSideBySide> | 'overtaken'>(async (service) =>
+      this.wanted === variants ? service.change(variants) : 'overtaken',
+    );
+    if (outcome === 'overtaken') return true;
+    if (outcome === null || !isTaken(outcome)) return false;
+    const { states, from } = outcome.value;
+    this.start = { ...(this.start as CommonStart), variants };
+    this.record.reorder(from);
+    batch(() => {
+      this.reference.value = Math.max(0, from.indexOf(this.reference.value));
+      this.instant.value = null;
+      this.states.value = states;
+      this.publish();
+    });
+    return true;
+  }
+
+  /** Measures the others by this variant. */
+  measureBy(reference: number): void {
+    this.record.forgetDistances();
+    this.reference.value = reference;
+    this.publish();
   }
 
   /** Back to where all began, with the pins as they were there. */
@@ -119,17 +157,26 @@ export class SideBySide {
   /** So many time steps at once. */
   async run(steps: number): Promise<void> {
     if (this.waiting > 0 || !this.states.value) return;
-    const states = await this.ask<VariantState[]>(async (service) => service.run(this.pins.value, steps));
+    const states = await this.ask<VariantState[]>(async (service) =>
+      service.run(this.pins.value, this.pull.value, steps),
+    );
     if (!states) return;
     const milliseconds = states.reduce((sum, one) => sum + one.milliseconds, 0);
     this.clock.spent(1, milliseconds);
-    states.forEach(({ energies }, at) => {
-      this.history[at].push(...energies);
-    });
+    this.show(states, steps);
+  }
+
+  /** One time step by all from the motion of this variant, which is the time step that comes next for it. */
+  async sameInstant(leader: number): Promise<void> {
+    if (!this.states.value) return;
+    this.playing.value = false;
+    const outcome = await this.ask<Outcome<Instant>>(async (service) =>
+      service.sameInstant(leader, this.pins.value, this.pull.value),
+    );
+    if (outcome === null || !isTaken(outcome)) return;
     batch(() => {
-      this.states.value = states;
-      this.step.value += steps;
-      if (!this.running.value || performance.now() >= this.legibleSince + legible_ms) this.publish();
+      this.show(outcome.value.states, 1);
+      this.instant.value = { ...outcome.value, leader };
     });
   }
 
@@ -150,7 +197,7 @@ export class SideBySide {
 
   private take({ states, r }: OpenedSideBySide): void {
     const { scene, pins } = this.start as CommonStart;
-    this.history = states.map(() => []);
+    this.record.begin(states.length);
     this.clock.reset();
     batch(() => {
       this.scene.value = scene;
@@ -158,13 +205,27 @@ export class SideBySide {
       this.pins.value = pins;
       this.states.value = states;
       this.step.value = 0;
+      this.reference.value = Math.min(this.reference.value, states.length - 1);
+      this.instant.value = null;
       this.publish();
+    });
+  }
+
+  private show(states: readonly VariantState[], steps: number): void {
+    this.record.add(states, steps, this.parameters.delta_t, this.reference.value);
+    batch(() => {
+      this.states.value = states;
+      this.step.value += steps;
+      if (!this.running.value || performance.now() >= this.legibleSince + legible_ms) this.publish();
     });
   }
 
   private publish(): void {
     this.legibleSince = performance.now();
-    this.energies.value = this.history.map((curve) => curve.slice());
+    batch(() => {
+      this.energies.value = this.record.energies.map((curve) => curve.slice());
+      this.distances.value = this.record.distances.map((curve) => curve.slice());
+    });
   }
 
   /** Null when there was no answer, after a word about it unless the reader has left; the next request finds a new worker. */
@@ -221,6 +282,12 @@ export class SideBySide {
 }
 
 const ended = new Error('ended');
+
+/** Says why, where the solver has refused. */
+function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
+  if (!outcome.ok) notifyRefusal(outcome.status);
+  return outcome.ok;
+}
 
 function sideBySideWorker(): Worker {
   return new Worker(new URL('../solver/side_by_side_worker.ts', import.meta.url), { type: 'module' });

@@ -1,12 +1,9 @@
-import type { Mistake, MistakenSimulation } from './mistaken_simulation.ts';
-import type { MechanicalEnergy, Parameters, Simulation, SolverModule, Status } from './module.ts';
-import type { Checkpoint, Outcome, Pins, Problem } from './protocol.ts';
+import { ExactStep, type StepError } from './exact_step.ts';
+import type { MechanicalEnergy, SolverModule, Status } from './module.ts';
+import type { Checkpoint, Outcome, Pins, Problem, Pull } from './protocol.ts';
+import { type Failure, type MistakeCost, type Motion, type Variant, VariantRunner } from './variant_runner.ts';
 
-/** One of several simulations of the same problem. */
-export interface Variant {
-  parameters: Parameters;
-  mistake: Mistake;
-}
+export type { Variant };
 
 /** What one of them has come to. */
 export interface VariantState {
@@ -19,21 +16,30 @@ export interface VariantState {
   /** Of Q, since the beginning. */
   factorisations: number;
   /** What only a variant with a mistake tells. */
-  cost: {
-    /** Wall-clock ms of all its factorisations. */
-    factorising: number;
-    /** Entries that Q stores, and those of them that are not zero. */
-    storedInQ: number;
-    nonzerosOfQ: number;
-  } | null;
-  /** Why it stands still: the time step that failed, and the half-step where that is known. */
-  failure: { status: Status; step: number; half_step: number | null } | null;
+  cost: MistakeCost | null;
+  /** Why it stands still. */
+  failure: Failure | null;
 }
 
 export interface OpenedSideBySide {
   states: VariantState[];
   /** #E, m: rest lengths. */
   r: Float64Array;
+}
+
+export interface ChangedSideBySide {
+  states: VariantState[];
+  /** For each, which of those before it goes on from; null where it is new. */
+  from: (number | null)[];
+}
+
+/** One time step by every variant, from the motion of one of them. */
+export interface Instant {
+  states: VariantState[];
+  /** Of each, how far it is from p*, the minimiser of the leader's E(p): max_i ‖p_i − p*_i‖, m, and E(p) − E(p*), J. Null where the step failed. */
+  errors: (StepError | null)[];
+  /** Wall-clock ms that finding p* took. */
+  milliseconds: number;
 }
 
 /** The worker's side, as comlink exposes it. */
@@ -47,114 +53,135 @@ export interface SideBySideService {
     pins: Pins,
     from: Checkpoint | null,
   ): Promise<Outcome<OpenedSideBySide>>;
-  /** All make so many time steps with the same pins. One that fails stays as it was before and does not hold the others back. */
-  run(pins: Pins, steps: number): Promise<VariantState[]>;
-}
-
-/** What both kinds of simulation can do. */
-type Runner = Pick<
-  Simulation & MistakenSimulation,
-  | 'set_pins'
-  | 'set_state'
-  | 'step'
-  | 'step_number'
-  | 'half_step'
-  | 'last_half_step'
-  | 'p'
-  | 'r'
-  | 'energy'
-  | 'factorisation_count'
-  | 'delete'
->;
-
-interface Running {
-  simulation: Runner;
-  cost: () => VariantState['cost'];
-  failure: VariantState['failure'];
+  /** Other methods or settings, and fewer or more variants: those that go on keep their motion, and who is new takes the first one's. Not ok: nothing has changed. */
+  change(variants: readonly Variant[]): Promise<Outcome<ChangedSideBySide>>;
+  /** All make so many time steps with the same pins and pull. One that fails stays as it was before and does not hold the others back. */
+  run(pins: Pins, pull: Pull | null, steps: number): Promise<VariantState[]>;
+  /** All take the motion of one of them and make a time step from it: this one step by every method. */
+  sameInstant(leader: number, pins: Pins, pull: Pull | null): Promise<Outcome<Instant>>;
 }
 
 /** Owns the simulations and makes them take turns. Runs in a worker; knows neither worker nor page. */
 export class SideBySideSession {
   private readonly module: SolverModule;
-  private runners: Running[] = [];
+  private problem: Problem | null = null;
+  private pins: Pins = { pinned: new Int32Array(), targets: new Float64Array() };
+  private runners: VariantRunner[] = [];
+  /** The number of the time step that comes next. */
+  private next = 1;
 
   constructor(module: SolverModule) {
     this.module = module;
   }
 
   open(problem: Problem, variants: readonly Variant[], pins: Pins, from: Checkpoint | null): Outcome<OpenedSideBySide> {
-    const next: typeof this.runners = [];
+    const opened: VariantRunner[] = [];
     for (const variant of variants) {
-      const [runner, opened] = this.runnerOf(problem, variant, pins);
-      const { simulation } = runner;
-      next.push(runner);
-      let status = opened;
-      if (status.code === 'ok') status = simulation.set_pins(pins.pinned, pins.targets);
-      if (status.code === 'ok' && from) status = simulation.set_state(from.step, from.p_curr, from.p_prev, 0);
-      if (status.code === 'ok') continue;
-      release(next);
-      return { ok: false, status };
+      const runner = new VariantRunner(this.module, variant);
+      opened.push(runner);
+      let status = runner.open(problem, pins);
+      if (status.code === 'ok' && from) status = runner.moveTo(from);
+      if (status.code !== 'ok') return refused(status, opened);
     }
     release(this.runners);
-    this.runners = next;
-    const r = next[0].simulation.r().slice();
-    return { ok: true, value: { states: next.map((runner) => stateOf(runner, [], 0)), r } };
+    Object.assign(this, { problem, pins, runners: opened, next: from?.step ?? 1 });
+    return { ok: true, value: { states: opened.map((runner) => stateOf(runner, [], 0)), r: opened[0].r() } };
   }
 
-  run(pins: Pins, steps: number): VariantState[] {
-    return this.runners.map((runner) => {
-      const { simulation } = runner;
-      const energies: MechanicalEnergy[] = [];
-      const started = performance.now();
-      const moved = simulation.set_pins(pins.pinned, pins.targets);
-      if (moved.code !== 'ok') runner.failure ??= failureOf(simulation, moved);
-      while (!runner.failure && energies.length < steps) {
-        const status = simulation.step();
-        if (status.code === 'ok') energies.push(simulation.energy());
-        else runner.failure = failureOf(simulation, status);
-      }
-      return stateOf(runner, energies, (performance.now() - started) / Math.max(1, steps));
+  change(variants: readonly Variant[]): Outcome<ChangedSideBySide> {
+    const from = this.continued(variants);
+    const motion = this.runners[0].motion();
+    const made: VariantRunner[] = [];
+    const next = variants.map((variant, at) => {
+      const continued = from[at];
+      if (continued !== null) return this.runners[continued];
+      const runner = new VariantRunner(this.module, variant);
+      made.push(runner);
+      return runner;
     });
-  }
-
-  private runnerOf({ V, E, m }: Problem, { parameters, mistake }: Variant, { pinned }: Pins): [Running, Status] {
-    if (mistake === 'none') {
-      const simulation = new this.module.Simulation();
-      return [{ simulation, cost: () => null, failure: null }, simulation.set_scene(V, E, m, pinned, parameters)];
+    const before = this.runners.map(({ variant, failure }) => ({ variant, failure }));
+    for (const [at, runner] of next.entries()) {
+      const status = made.includes(runner) ? this.begin(runner, motion) : runner.change(variants[at], this.next);
+      if (status.code === 'ok') continue;
+      this.runners.forEach((one, index) => {
+        one.change(before[index].variant, this.next);
+        one.failure = before[index].failure;
+      });
+      return refused(status, made);
     }
-    const simulation = new this.module.MistakenSimulation();
-    const cost = () => ({
-      factorising: 1e3 * simulation.factorisation_time(),
-      storedInQ: simulation.stored_in_Q(),
-      nonzerosOfQ: simulation.nonzeros_of_Q(),
-    });
-    return [{ simulation, cost, failure: null }, simulation.set_scene(V, E, m, pinned, parameters, mistake)];
+    release(this.runners.filter((runner) => !next.includes(runner)));
+    this.runners = next;
+    return { ok: true, value: { states: next.map((runner) => stateOf(runner, [], 0)), from } };
+  }
+
+  run(pins: Pins, pull: Pull | null, steps: number): VariantState[] {
+    const states = this.runners.map((runner) => this.runOne(runner, pins, pull, steps));
+    this.pins = pins;
+    this.next += steps;
+    return states;
+  }
+
+  sameInstant(leader: number, pins: Pins, pull: Pull | null): Outcome<Instant> {
+    const { variant } = this.runners[leader];
+    const exact = new ExactStep(this.module, variant);
+    try {
+      const motion = this.runners[leader].motion();
+      const status = exact.solve(this.problem as Problem, pins, pull, motion, this.next); // open: there is a leader
+      if (status.code !== 'ok') return { ok: false, status };
+      for (const runner of this.runners) runner.join(motion, this.next);
+      const states = this.run(pins, pull, 1);
+      const errors = states.map(({ p, failure }) => (failure ? null : exact.errorOf(p)));
+      return { ok: true, value: { states, errors, milliseconds: exact.milliseconds } };
+    } finally {
+      exact.delete();
+    }
+  }
+
+  private runOne(runner: VariantRunner, pins: Pins, pull: Pull | null, steps: number): VariantState {
+    const started = performance.now();
+    const energies = runner.run(pins, pull, this.next, steps);
+    return stateOf(runner, energies, (performance.now() - started) / Math.max(1, steps));
+  }
+
+  /** Which of those that run each of the wanted goes on from: its equal, or else the first that nobody is equal to. */
+  private continued(variants: readonly Variant[]): (number | null)[] {
+    const left = new Set(this.runners.keys());
+    const take = (before: number | undefined) => {
+      if (before === undefined) return null;
+      left.delete(before);
+      return before;
+    };
+    const find = (fits: (before: number) => boolean) => take([...left].find(fits));
+    const equals = variants.map((variant) => find((before) => same(this.runners[before].variant, variant)));
+    return variants.map((variant, at) => equals[at] ?? find((before) => this.runners[before].fits(variant)));
+  }
+
+  private begin(runner: VariantRunner, motion: Motion): Status {
+    const status = runner.open(this.problem as Problem, this.pins); // open: there is a motion
+    return status.code === 'ok' ? runner.move(motion, this.next) : status;
   }
 }
 
-function release(runners: readonly { simulation: Runner }[]): void {
-  for (const { simulation } of runners) simulation.delete();
+function same(a: Variant, b: Variant): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }
 
-function stateOf(
-  { simulation, cost, failure }: Running,
-  energies: MechanicalEnergy[],
-  milliseconds: number,
-): VariantState {
+function refused(status: Status, made: readonly VariantRunner[]): { ok: false; status: Status } {
+  release(made);
+  return { ok: false, status };
+}
+
+function release(runners: readonly VariantRunner[]): void {
+  for (const runner of runners) runner.delete();
+}
+
+function stateOf(runner: VariantRunner, energies: MechanicalEnergy[], milliseconds: number): VariantState {
   return {
-    p: simulation.p().slice(),
+    p: runner.p(),
     energies,
     milliseconds,
-    factorisations: simulation.factorisation_count(),
-    cost: cost(),
-    failure,
+    factorisations: runner.factorisations(),
+    cost: runner.cost(),
+    failure: runner.failure,
   };
-}
-
-/** A simulation that cannot tell in which half-step it failed stands at the end of the time step before. */
-function failureOf(simulation: Runner, status: Status): VariantState['failure'] {
-  const half_step = simulation.half_step();
-  return half_step < simulation.last_half_step()
-    ? { status, step: simulation.step_number(), half_step }
-    : { status, step: simulation.step_number() + 1, half_step: null };
 }

@@ -25,9 +25,17 @@ const service: SideBySideService = {
     const outcome = theSession().open(problem, variants, pins, from);
     return outcome.ok ? send(outcome, outcome.value.states) : outcome;
   },
-  async run(pins, steps) {
-    const states = theSession().run(pins, steps);
+  async change(variants) {
+    const outcome = theSession().change(variants);
+    return outcome.ok ? send(outcome, outcome.value.states) : outcome;
+  },
+  async run(pins, pull, steps) {
+    const states = theSession().run(pins, pull, steps);
     return send(states, states);
+  },
+  async sameInstant(leader, pins, pull) {
+    const outcome = theSession().sameInstant(leader, pins, pull);
+    return outcome.ok ? send(outcome, outcome.value.states) : outcome;
   },
 };
 

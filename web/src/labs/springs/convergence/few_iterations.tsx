@@ -1,12 +1,12 @@
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo } from 'preact/hooks';
 import { labMoment } from '../../../app/lab_moment.ts';
 import { type MessageKey, t } from '../../../app/messages/index.ts';
 import { refusalParams } from '../../../app/refusal_params.ts';
 import { SideBySide } from '../../../app/side_by_side.ts';
+import type { EnergySample } from '../../../app/side_by_side_record.ts';
 import { parameters, pins, scene } from '../../../app/state.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatQuantity } from '../../../lib/format.ts';
-import type { MechanicalEnergy } from '../../../solver/module.ts';
 import type { Variant, VariantState } from '../../../solver/side_by_side.ts';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
 import { Phrase, Prose } from '../../../views/equations/prose.tsx';
@@ -24,15 +24,11 @@ const shownSteps = 300;
 export function FewIterations({ words }: { words: Words }) {
   const run = useMemo(() => new SideBySide(), []);
   useEffect(() => run.follow(), [run]);
-  const [delta_t, setDeltaT] = useState(0); // of what runs, s
   const states = run.states.value;
   const start = async () => {
     run.playing.value = false;
     const common = { scene: scene.value, pins: pins.value, from: labMoment() };
-    const variants = variantsOf();
-    if (!(await run.open(variants, common))) return;
-    setDeltaT(variants[0].parameters.delta_t);
-    run.playing.value = true;
+    if (await run.open(variantsOf(), common)) run.playing.value = true;
   };
   return (
     <section class="convergence-damped">
@@ -50,7 +46,7 @@ export function FewIterations({ words }: { words: Words }) {
               note: noteOf(words, states[at], run.energies.value[at]),
             }))}
           />
-          <Energies words={words} energies={run.energies.value} delta_t={delta_t} />
+          <Energies words={words} energies={run.energies.value} />
         </>
       )}
     </section>
@@ -59,10 +55,10 @@ export function FewIterations({ words }: { words: Words }) {
 
 function variantsOf(): Variant[] {
   const common = { ...parameters.value, method: 'local-global', stop_gradient: 0, stop_decrease: 0 } as const;
-  return counts.map((iterations) => ({ parameters: { ...common, iterations }, mistake: 'none' }));
+  return counts.map((iterations) => ({ parameters: { ...common, iterations }, substeps: 1, mistake: 'none' }));
 }
 
-function noteOf(words: Words, { failure }: VariantState, energies: readonly MechanicalEnergy[]): string {
+function noteOf(words: Words, { failure }: VariantState, energies: readonly EnergySample[]): string {
   if (failure) return t(`page.errors.${failure.status.code}` as MessageKey, refusalParams(failure.status));
   const latest = energies.at(-1);
   return latest ? fillTemplate(words.note, { kinetic: formatQuantity(latest.kinetic, 'J', 2) }) : '';
@@ -71,17 +67,15 @@ function noteOf(words: Words, { failure }: VariantState, energies: readonly Mech
 interface EnergiesProps {
   words: Words;
   energies: SideBySide['energies']['value'];
-  delta_t: number;
 }
 
 /** The total energy of each over time. */
-function Energies({ words, energies, delta_t }: EnergiesProps) {
-  const first = Math.max(0, (energies[0]?.length ?? 0) - shownSteps);
+function Energies({ words, energies }: EnergiesProps) {
   const series = counts.map((iterations, at) => ({
     name: fillTemplate(words.count, { iterations }),
     points: (energies[at] ?? [])
-      .slice(first)
-      .map(({ kinetic, springs, external }, n) => [(first + n + 1) * delta_t, kinetic + springs + external] as const),
+      .slice(-shownSteps)
+      .map(({ time, kinetic, springs, external }) => [time, kinetic + springs + external] as const),
   }));
   if (series[0].points.length < 2) return null;
   return (

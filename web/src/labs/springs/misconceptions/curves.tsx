@@ -4,7 +4,7 @@ import type { SideBySide } from '../../../app/side_by_side.ts';
 import { Choice } from '../../../lib/choice.tsx';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
 import { en } from './en.ts';
-import { type Measure, measures, type Point, rangeAround, rangeOfStill, thinned, total } from './measures.ts';
+import { type Measure, measures, type Point, rangeAround, rangeOfStill, thinned } from './measures.ts';
 import { useRecord } from './use_record.ts';
 import { zh } from './zh.ts';
 
@@ -27,13 +27,13 @@ interface Props {
 export function Curves({ run, names, initial, explodes, right }: Props) {
   const words = inLanguage({ en, zh }).measures;
   const [measure, choose] = useState(initial);
-  const record = useRecord(run);
+  const record = useRecord(run, window);
   useEffect(() => choose(initial), [initial]);
 
-  const energies = run.energies.value;
+  run.energies.value; // as often as a reader can follow
   const measured: Record<Measure, (net: number) => readonly Point[]> = {
     height: (net) => record.current[net]?.heights ?? [],
-    energy: (net) => (energies[net] ?? []).map((energy, at): Point => [at + 1, total(energy)]),
+    energy: (net) => record.current[net]?.energies ?? [],
     time: (net) => record.current[net]?.times ?? [],
   };
   const series = names.map((name, net) => ({

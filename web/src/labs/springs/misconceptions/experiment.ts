@@ -29,7 +29,7 @@ export async function openExperiment(
   const [start, parameters] = own ? lab(own) : await best(card);
   if (!isWanted()) return;
   const variants = order.map((which): Variant => {
-    return { parameters, mistake: which === 'wrong' ? card.mistake : 'none' };
+    return { parameters, substeps: 1, mistake: which === 'wrong' ? card.mistake : 'none' };
   });
   const opened = await run.open(variants, start);
   if (opened && isWanted()) run.playing.value = !reducedMotion.value;

@@ -72,7 +72,7 @@ function MistakenNets({ scene, mistakes, note }: Shown) {
       const start = { scene: found, pins: pinsOn(found, null), from: null };
       if (wanted)
         await run.open(
-          mistakes.map((mistake) => ({ parameters, mistake })),
+          mistakes.map((mistake) => ({ parameters, substeps: 1, mistake })),
           start,
         );
     };

@@ -1,0 +1,61 @@
+import { farthest } from '../solver/farthest.ts';
+import type { MechanicalEnergy } from '../solver/module.ts';
+import type { VariantState } from '../solver/side_by_side.ts';
+
+/** J, after a time step. */
+export interface EnergySample extends MechanicalEnergy {
+  /** Time steps since the start. */
+  step: number;
+  /** Simulated s since the start. */
+  time: number;
+}
+
+export interface DistanceSample {
+  /** Simulated s since the start. */
+  time: number;
+  /** Max_i ‖p_i − q_i‖, m. */
+  distance: number;
+}
+
+/** Samples of a curve: 10 s of time steps of 5 ms; earlier ones are dropped. */
+const kept = 2000;
+
+/** What variants side by side have been through lately. */
+export class SideBySideRecord {
+  energies: EnergySample[][] = [];
+  distances: DistanceSample[][] = [];
+  private step = 0;
+  private time = 0;
+
+  begin(variants: number): void {
+    this.energies = Array.from({ length: variants }, () => []);
+    this.distances = Array.from({ length: variants }, () => []);
+    this.step = 0;
+    this.time = 0;
+  }
+
+  /** `from`: which of the curves each variant goes on with; null where it begins one. */
+  reorder(from: readonly (number | null)[]): void {
+    this.energies = from.map((before) => (before === null ? [] : this.energies[before]));
+    this.distances = from.map((before) => (before === null ? [] : this.distances[before]));
+  }
+
+  forgetDistances(): void {
+    this.distances = this.distances.map(() => []);
+  }
+
+  /** After so many time steps of delta_t, s. One that stands still adds nothing more. */
+  add(states: readonly VariantState[], steps: number, delta_t: number, reference: number): void {
+    const time = this.time + steps * delta_t;
+    states.forEach(({ p, energies, failure }, at) => {
+      energies.forEach((energy, n) => {
+        this.energies[at].push({ ...energy, step: this.step + n + 1, time: this.time + (n + 1) * delta_t });
+      });
+      if (!failure && !states[reference].failure)
+        this.distances[at].push({ time, distance: farthest(p, states[reference].p) });
+    });
+    for (const curve of [...this.energies, ...this.distances]) curve.splice(0, curve.length - kept);
+    this.step += steps;
+    this.time = time;
+  }
+}
