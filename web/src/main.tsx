@@ -5,6 +5,7 @@ import { followAddress, readAddress } from './app/address.ts';
 import { preferredLanguage, t } from './app/messages/index.ts';
 import { followPointing } from './app/pointing.ts';
 import { appliedTheme } from './app/preferences.ts';
+import { requireWebGL } from './app/require_webgl.ts';
 import { roomKeys } from './app/room_keys.ts';
 import { type Route, route } from './app/route.ts';
 import { Session } from './app/session.ts';
@@ -18,6 +19,7 @@ import { cameraKey } from './labs/springs/camera_keys.ts';
 import { symbolStyle } from './notation/symbol_style.ts';
 import { Deferred } from './views/deferred/deferred.tsx';
 import { Card } from './views/equations/cards/card.tsx';
+import { formulaFonts } from './views/equations/formula_fonts.ts';
 import { Header } from './views/header/header.tsx';
 import { Help } from './views/help/help.tsx';
 import { Notices } from './views/notices/notices.tsx';
@@ -32,7 +34,7 @@ effect(() => {
   document.documentElement.toggleAttribute('data-projector', state.value.view.projector);
 });
 effect(() => {
-  if (route.value.page === 'springs') document.title = t('page.title'); // a lesson's page is named after its section
+  if (route.value.page === 'springs') document.title = t('page.title'); // the other pages name themselves
 });
 
 const symbolSheet = new CSSStyleSheet();
@@ -50,6 +52,12 @@ const pages: Record<Route['page'], () => Promise<ComponentType>> = {
   springs: async () => {
     const [{ SpringsLab }] = await Promise.all([import('./labs/springs/springs_lab.tsx'), startLab(client, actions)]);
     return () => <SpringsLab actions={actions} />;
+  },
+  integrators: async () => {
+    requireWebGL();
+    const { IntegratorsLab } = await import('./labs/integrators/integrators_lab.tsx');
+    await formulaFonts(); // known since its style sheet has come
+    return () => <IntegratorsLab actions={actions} />;
   },
   lesson: async () => {
     const { Lesson } = await import('./labs/lesson/lesson.tsx');
@@ -113,10 +121,10 @@ function listen(): void {
       return;
     if (event.key === '?') helpOpen.value = !helpOpen.value;
     else if (event.key === 'Escape') helpOpen.value = false;
-    else if (route.value.page !== 'springs') return;
     else if (roomKeys.value) {
       if (!roomKeys.value(event.key)) return;
-    } else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
+    } else if (route.value.page !== 'springs') return;
+    else if (!cameraKey(event.key, event.shiftKey) && !shortcut(event.key, actions)) return;
     event.preventDefault();
   });
   // A control used with the pointer gives the keys back to the page; one reached with the keyboard keeps them.
@@ -131,7 +139,7 @@ function listen(): void {
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (route.value.page === 'springs' && event.dataTransfer?.files.length)
+    if (route.value.page !== 'lesson' && event.dataTransfer?.files.length)
       void actions.openFiles([...event.dataTransfer.files]);
   });
 }

@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { comparedLimits, type IntegratorsSettings, mostMethods } from '../../../web/src/app/integrators.ts';
 import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
@@ -54,8 +55,35 @@ const states: fc.Arbitrary<AppState> = fc.record({
       fc.record({ position: point, target: point }).filter(({ position, target }) => `${position}` !== `${target}`),
     ),
   }),
+  integrators: fc.constant(defaultState.integrators), // which links to the springs do not carry
   language: fc.constantFrom('en' as const, 'zh' as const),
   theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
+});
+
+const comparisons: fc.Arbitrary<IntegratorsSettings> = fc.record({
+  scene: fc.stringMatching(/^[\w-]{1,64}$/),
+  methods: fc.array(
+    fc.record({
+      method: fc.constantFrom(...methods),
+      iterations: fc.integer(comparedLimits.iterations),
+      substeps: fc.integer(comparedLimits.substeps),
+    }),
+    { minLength: 1, maxLength: mostMethods },
+  ),
+  parameters: fc.record(
+    {
+      k: inside(comparedLimits.k),
+      mass_scale: inside(comparedLimits.mass_scale),
+      delta_t: inside(comparedLimits.delta_t),
+      damping: inside(comparedLimits.damping).map((c) => c + 0), // JSON has no −0
+      gravity: inside(comparedLimits.gravity).map((g) => g + 0),
+    },
+    { requiredKeys: [] },
+  ),
+  poke: fc.record({
+    stiffness: fc.option(inside(comparedLimits.poke.stiffness)),
+    radius: inside(comparedLimits.poke.radius),
+  }),
 });
 
 describe('the path', () => {
@@ -140,6 +168,32 @@ describe('the link', () => {
 
   it.each(['', '#', '#/springs', '#/springs?'])('takes “%s” for the default', (fragment) => {
     expect(decodeLink(fragment, defaultState)).toEqual({ route: lab, state: defaultState, problems: [] });
+  });
+
+  it('to the integrators carries every comparison there and back, and nothing of the springs', () => {
+    fc.assert(
+      fc.property(comparisons, (integrators) => {
+        const { route, state, problems } = decodeLink(
+          encodeLink({ page: 'integrators' }, { ...defaultState, scene: 'flag', integrators }),
+          defaultState,
+        );
+        expect(problems).toEqual([]);
+        expect(route).toEqual({ page: 'integrators' });
+        expect(state).toEqual({ ...defaultState, integrators });
+      }),
+    );
+  });
+
+  it.each([
+    ['no method', []],
+    ['a method that does not exist', [{ method: 'magic', iterations: 1, substeps: 1 }]],
+    ['half a substep', [{ method: 'newton', iterations: 1, substeps: 0.5 }]],
+    ['more than fit side by side', Array(5).fill({ method: 'newton', iterations: 1, substeps: 1 })],
+  ])('to the integrators is refused with %s', (_, chosen) => {
+    const integrators = JSON.stringify({ ...defaultState.integrators, methods: chosen });
+    const { state, problems } = decodeLink(`#/integrators?integrators=${integrators}`, defaultState);
+    expect(state).toEqual(defaultState);
+    expect(problems).toMatchObject([{ part: 'integrators' }]);
   });
 
   it('leads to a section of the lesson, with the language and theme to read it in and nothing of the lab', () => {

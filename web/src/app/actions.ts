@@ -1,6 +1,7 @@
 import type { Scene } from '../scene/scene.ts';
 import type { Checkpoint } from '../solver/protocol.ts';
 import { compareNewton } from './comparison.ts';
+import type { IntegratorsSettings } from './integrators.ts';
 import { limits } from './limits.ts';
 import { encodeLink, type Link } from './link.ts';
 import type { Language } from './messages/index.ts';
@@ -8,7 +9,7 @@ import { language } from './messages/index.ts';
 import { dismissErrors, notify } from './notices.ts';
 import { route, springsRoute } from './route.ts';
 import { findScene, openedScenes, openFiles } from './scene_library.ts';
-import { SceneProblem } from './scene_problem.ts';
+import { seekScene } from './seek_scene.ts';
 import type { Session } from './session.ts';
 import {
   type Adjustable,
@@ -160,12 +161,19 @@ export class Actions {
     this.change({ language: next });
   }
 
+  /** What the integrators lab compares; one equal to what it compares already changes nothing. */
+  setIntegrators(change: Partial<IntegratorsSettings>): void {
+    const integrators = { ...state.value.integrators, ...change };
+    if (JSON.stringify(integrators) !== JSON.stringify(state.value.integrators)) this.change({ integrators });
+  }
+
   async copyLink(): Promise<void> {
     try {
       await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(route.value, state.value));
-      const own = openedScenes.value.some(({ name }) => name === state.value.scene);
+      const name = route.value.page === 'integrators' ? state.value.integrators.scene : state.value.scene;
+      const own = openedScenes.value.some((opened) => opened.name === name);
       if (route.value.page === 'lesson') notify('info', 'page.header.linkToLessonCopied');
-      else notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name: state.value.scene });
+      else notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name });
     } catch {
       notify('info', 'page.header.linkFailed'); // clipboards need a secure page and permission
     }
@@ -173,12 +181,15 @@ export class Actions {
 
   /** Opens a scene from files that the reader chose or dropped. */
   async openFiles(files: readonly File[]): Promise<void> {
-    await this.openAfresh((signal) => openFiles(files, signal));
+    if (route.value.page !== 'integrators') return void (await this.openAfresh((signal) => openFiles(files, signal)));
+    const found = await seekScene((signal) => openFiles(files, signal));
+    if (found) this.compareOn(found.name);
   }
 
   /** Opens a scene of the library with the scene's own parameters and pins. */
   async openScene(name: string): Promise<void> {
-    await this.openAfresh((signal) => findScene(name, signal));
+    if (route.value.page === 'integrators') this.compareOn(name);
+    else await this.openAfresh((signal) => findScene(name, signal));
   }
 
   /** Opens a scene of the library, its own parameters changed by these, at the end of a time step. */
@@ -190,10 +201,11 @@ export class Actions {
   /** Goes where a link leads. What the lab already shows goes on as it stood. */
   async follow({ route: to, state: wanted }: Link): Promise<void> {
     route.value = to; // before a scene is read: its end must not bring back a reader who has gone on
-    if (to.page === 'lesson') {
+    if (to.page !== 'springs') {
       this.pause();
       this.setLanguage(wanted.language);
       this.setTheme(wanted.theme);
+      if (to.page === 'integrators') this.setIntegrators(wanted.integrators);
     } else if (!frame.value) {
       language.value = wanted.language;
       state.value = wanted; // start_lab.ts opens it
@@ -235,6 +247,11 @@ export class Actions {
     } else this.session.cancel();
   }
 
+  private compareOn(scene: string): void {
+    dismissErrors();
+    this.change({ integrators: { ...state.value.integrators, scene, parameters: {} } });
+  }
+
   private async openAfresh(find: Find, parameters: AppState['parameters'] = {}): Promise<boolean> {
     dismissErrors();
     return this.open(find, ({ name }) => ({
@@ -247,7 +264,7 @@ export class Actions {
   }
 
   private async open(find: Find, change: (found: Scene) => Change, from: Checkpoint | null = null): Promise<boolean> {
-    const found = await this.read(find);
+    const found = await seekScene(find);
     if (!found) return false;
     const wanted = change(found);
     const sensible = {
@@ -256,23 +273,6 @@ export class Actions {
       selection: selectionOn(found, wanted.selection),
     };
     return this.session.open(found, sensible, from);
-  }
-
-  /** Null when the scene cannot be had, after a word about it, and when it is no longer wanted: another is, or none. */
-  private async read(find: Find): Promise<Scene | null> {
-    const mine = new AbortController();
-    reading.value?.abort();
-    reading.value = mine;
-    try {
-      return await find(mine.signal);
-    } catch (problem) {
-      if (mine.signal.aborted) return null;
-      if (!(problem instanceof SceneProblem)) throw problem;
-      notify('error', problem.key, problem.params);
-      return null;
-    } finally {
-      if (reading.value === mine) reading.value = null;
-    }
   }
 
   private change(part: Partial<AppState>): void {

@@ -8,14 +8,15 @@ export const longestLink = 64 * 1024;
 /** Why a part of a link was not used. */
 export type LinkProblem = { part: string; value: string } | { tooLong: number };
 
-/** The parts of the state that a link to a page carries: the lesson's figures are not among them. */
+/** The parts of the state that a link to a page carries: of each lab its own, and the lesson's figures are not among them. */
 const partsOf: Record<Route['page'], readonly (keyof AppState)[]> = {
-  springs: Object.keys(stateSchema) as (keyof AppState)[],
+  springs: (Object.keys(stateSchema) as (keyof AppState)[]).filter((part) => part !== 'integrators'),
+  integrators: ['version', 'integrators', 'language', 'theme'],
   lesson: ['language', 'theme'],
 };
 
 /** Named in every link: what a reader's own preferences would otherwise replace. */
-const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'language'];
+const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'integrators', 'language'];
 
 /** The address's fragment for a page and a state: every part that is not the default, as JSON. */
 export function encodeLink(route: Route, state: AppState): string {

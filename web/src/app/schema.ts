@@ -1,24 +1,27 @@
 import * as z from 'zod/mini';
-import { minimisers } from '../solver/module.ts';
+import { methods, minimisers } from '../solver/module.ts';
+import { comparedLimits, mostMethods } from './integrators.ts';
 import { limits } from './limits.ts';
 import { languages } from './messages/index.ts';
 import type { AppState } from './state.ts';
 
 const within = ({ min, max }: { min: number; max: number }) => z.number().check(z.gte(min), z.lte(max));
+const whole = ({ min, max }: { min: number; max: number }) => z.int().check(z.gte(min), z.lte(max));
 const index = z.int().check(z.gte(0));
+const sceneName = z.string().check(z.regex(/^[\w-]{1,64}$/));
 const point = z.tuple([z.number(), z.number(), z.number()]);
 
 /** One schema a part of the state, so that a link with one bad part keeps the others. */
 export const stateSchema = {
   version: z.literal(1),
-  scene: z.string().check(z.regex(/^[\w-]{1,64}$/)),
+  scene: sceneName,
   parameters: z
     .strictObject({
       k: z.optional(within(limits.k)),
       delta_t: z.optional(within(limits.delta_t)),
       mass_scale: z.optional(within(limits.mass_scale)),
       w: z.optional(within(limits.w)),
-      iterations: z.optional(z.int().check(z.gte(limits.iterations.min), z.lte(limits.iterations.max))),
+      iterations: z.optional(whole(limits.iterations)),
       wind: z.optional(z.boolean()),
       method: z.optional(z.enum(minimisers)),
       stop_gradient: z.optional(within(limits.stop_gradient)),
@@ -38,6 +41,29 @@ export const stateSchema = {
       ),
     ),
     plot: z._default(z.enum(['trace', 'comparison']), 'trace'), // links made before there was a choice name none
+  }),
+  integrators: z.strictObject({
+    scene: sceneName,
+    methods: z
+      .array(
+        z.strictObject({
+          method: z.enum(methods),
+          iterations: whole(comparedLimits.iterations),
+          substeps: whole(comparedLimits.substeps),
+        }),
+      )
+      .check(z.minLength(1), z.maxLength(mostMethods)),
+    parameters: z.strictObject({
+      k: z.optional(within(comparedLimits.k)),
+      mass_scale: z.optional(within(comparedLimits.mass_scale)),
+      delta_t: z.optional(within(comparedLimits.delta_t)),
+      damping: z.optional(within(comparedLimits.damping)),
+      gravity: z.optional(within(comparedLimits.gravity)),
+    }),
+    poke: z.strictObject({
+      stiffness: z.nullable(within(comparedLimits.poke.stiffness)),
+      radius: within(comparedLimits.poke.radius),
+    }),
   }),
   language: z.enum(languages),
   theme: z.enum(['light', 'dark', 'system']),

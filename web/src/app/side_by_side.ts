@@ -48,6 +48,8 @@ export class SideBySide {
   readonly energies = signal<readonly (readonly EnergySample[])[]>([]);
   /** Of each variant, how far it was from the one of reference at the latest pictures. As often as energies. */
   readonly distances = signal<readonly (readonly DistanceSample[])[]>([]);
+  /** Wall-clock ms of a time step of each, lately; null before the first. As often as energies. */
+  readonly milliseconds = signal<readonly (number | null)[]>([]);
   /** Which variant the others are measured by. */
   readonly reference = signal(0);
   /** Time steps made since the start. */
@@ -224,6 +226,7 @@ export class SideBySide {
     this.legibleSince = performance.now();
     batch(() => {
       this.energies.value = this.record.energies.map((curve) => curve.slice());
+      this.milliseconds.value = this.record.milliseconds.slice();
       this.distances.value = this.record.distances.map((curve) => curve.slice());
     });
   }

@@ -20,16 +20,22 @@ export interface DistanceSample {
 /** Samples of a curve: 10 s of time steps of 5 ms; earlier ones are dropped. */
 const kept = 2000;
 
+/** Of a new measurement: single ones jump about. */
+const share = 0.1;
+
 /** What variants side by side have been through lately. */
 export class SideBySideRecord {
   energies: EnergySample[][] = [];
   distances: DistanceSample[][] = [];
+  /** Wall-clock ms of a time step of each lately; null before the first. */
+  milliseconds: (number | null)[] = [];
   private step = 0;
   private time = 0;
 
   begin(variants: number): void {
     this.energies = Array.from({ length: variants }, () => []);
     this.distances = Array.from({ length: variants }, () => []);
+    this.milliseconds = Array.from({ length: variants }, () => null);
     this.step = 0;
     this.time = 0;
   }
@@ -38,6 +44,7 @@ export class SideBySideRecord {
   reorder(from: readonly (number | null)[]): void {
     this.energies = from.map((before) => (before === null ? [] : this.energies[before]));
     this.distances = from.map((before) => (before === null ? [] : this.distances[before]));
+    this.milliseconds = from.map(() => null); // with other settings it takes another time
   }
 
   forgetDistances(): void {
@@ -47,7 +54,9 @@ export class SideBySideRecord {
   /** After so many time steps of delta_t, s. One that stands still adds nothing more. */
   add(states: readonly VariantState[], steps: number, delta_t: number, reference: number): void {
     const time = this.time + steps * delta_t;
-    states.forEach(({ p, energies, failure }, at) => {
+    states.forEach(({ p, energies, milliseconds, failure }, at) => {
+      const before = this.milliseconds[at] ?? milliseconds;
+      if (!failure) this.milliseconds[at] = before + share * (milliseconds - before);
       energies.forEach((energy, n) => {
         this.energies[at].push({ ...energy, step: this.step + n + 1, time: this.time + (n + 1) * delta_t });
       });

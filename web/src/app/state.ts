@@ -5,6 +5,7 @@ import type { MinimisingParameters } from '../solver/module.ts';
 import type { Pins } from '../solver/protocol.ts';
 import { sceneParameters } from '../solver/scene_parameters.ts';
 import type { Figure } from './figure.ts';
+import { defaultIntegrators, type IntegratorsSettings } from './integrators.ts';
 import type { Language } from './messages/index.ts';
 
 /** Everything worth saving: what a link, a preset or a fixture holds. Plain JSON, checked by schema.ts. */
@@ -18,6 +19,7 @@ export interface AppState {
   pins: Pin[] | null;
   selection: Selection;
   view: ViewOptions;
+  integrators: IntegratorsSettings;
   language: Language;
   theme: 'light' | 'dark' | 'system';
 }
@@ -67,6 +69,7 @@ export const defaultState: AppState = {
   pins: null,
   selection: { spring: null, vertex: null },
   view: { exaggeration: 'automatic', springs: true, surface: true, projector: false, camera: null, plot: 'trace' },
+  integrators: defaultIntegrators,
   language: 'en',
   theme: 'system',
 };

@@ -13,6 +13,8 @@ export interface VariantState {
   energies: MechanicalEnergy[];
   /** Wall-clock ms of a time step of the request, on average. */
   milliseconds: number;
+  /** 1/s: of the fastest oscillation. */
+  frequency: number;
   /** Of Q, since the beginning. */
   factorisations: number;
   /** What only a variant with a mistake tells. */
@@ -180,6 +182,7 @@ function stateOf(runner: VariantRunner, energies: MechanicalEnergy[], millisecon
     p: runner.p(),
     energies,
     milliseconds,
+    frequency: runner.frequency(),
     factorisations: runner.factorisations(),
     cost: runner.cost(),
     failure: runner.failure,

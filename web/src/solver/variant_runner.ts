@@ -150,6 +150,11 @@ export class VariantRunner {
     return this.simulation.objective_at(p).objective;
   }
 
+  /** 1/s: of the fastest oscillation. */
+  frequency(): number {
+    return (this.simulation as { largest_frequency?: () => number }).largest_frequency?.() ?? 100;
+  }
+
   /** #E, m: a copy of the rest lengths. */
   r(): Float64Array {
     return this.simulation.r().slice();

@@ -12,7 +12,7 @@ const themes = ['system', 'light', 'dark'] as const;
 export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => void }) {
   const { language, theme, view } = state.value;
   const other = language === 'en' ? 'zh' : 'en';
-  const inLab = route.value.page === 'springs';
+  const inLab = route.value.page !== 'lesson';
   return (
     <header class="header">
       <button

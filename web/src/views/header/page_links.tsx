@@ -1,11 +1,11 @@
 import { encodeLink } from '../../app/link.ts';
 import { t } from '../../app/messages/index.ts';
-import { type Route, route, springsRoute } from '../../app/route.ts';
+import { integratorsRoute, type Route, route, springsRoute } from '../../app/route.ts';
 import { state } from '../../app/state.ts';
 
-const destinations: readonly Route[] = [springsRoute, { page: 'lesson', section: null }];
+const destinations: readonly Route[] = [springsRoute, integratorsRoute, { page: 'lesson', section: null }];
 
-/** From page to page. The lab's link carries its state, so that coming back finds it as it was left. */
+/** From page to page. A lab's link carries its state, so that coming back finds it as it was left. */
 export function PageLinks() {
   return (
     <nav class="page-links" aria-label={t('page.header.pages.label')}>

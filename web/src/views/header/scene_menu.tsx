@@ -1,19 +1,21 @@
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
+import { route } from '../../app/route.ts';
 import { librarySceneNames, openedScenes } from '../../app/scene_library.ts';
 import { state } from '../../app/state.ts';
 
 /** Which scene is simulated: one of the library, or the reader's own files. */
 export function SceneMenu({ actions }: { actions: Actions }) {
+  const chosen = () => (route.value.page === 'integrators' ? state.value.integrators.scene : state.value.scene);
   return (
     <div class="scene-menu">
       <label>
         <span class="scene-menu-name">{t('page.controls.scene')}</span>{' '}
         <select
-          value={state.value.scene}
+          value={chosen()}
           onChange={async ({ currentTarget }) => {
             await actions.openScene(currentTarget.value);
-            currentTarget.value = state.value.scene; // another one, when it was refused or given up
+            currentTarget.value = chosen(); // another one, when it was refused or given up
           }}
         >
           {librarySceneNames.map((name) => (

@@ -29,6 +29,19 @@ const topics: Record<Route['page'], Topics> = {
       ['PgUp PgDn', 'page.keys.pinPages'],
     ],
   },
+  integrators: {
+    gestures: ['page.keys.integrators.pull', 'page.keys.drag', 'page.keys.orbit'],
+    keys: [
+      ['Space', 'page.keys.space'],
+      ['A', 'page.keys.animate'],
+      ['R', 'page.keys.integrators.restart'],
+      ['I', 'page.keys.integrators.instant'],
+      ['?', 'page.keys.help'],
+      ['Esc', 'page.keys.escape'],
+      ['← → ↑ ↓', 'page.keys.pinArrows'],
+      ['PgUp PgDn', 'page.keys.pinPages'],
+    ],
+  },
   lesson: {
     gestures: ['page.keys.drag', 'page.keys.lesson.pull', 'page.keys.lesson.choose', 'page.keys.lesson.symbol'],
     keys: [

@@ -4,7 +4,7 @@ export const page = {
   skipToText: 'Skip to the text',
   loading: 'Loading…',
   header: {
-    pages: { label: 'Pages', springs: 'Springs', lesson: 'Lesson' },
+    pages: { label: 'Pages', springs: 'Springs', integrators: 'Integrators', lesson: 'Lesson' },
     otherLanguage: '中文',
     otherLanguageLabel: '切换到简体中文',
     theme: { label: 'Theme', system: 'Theme: system', light: 'Theme: light', dark: 'Theme: dark' },
@@ -211,6 +211,11 @@ export const page = {
     click: 'click or tap a spring or vertex: see its numbers in both equations',
     shiftClick: 'Shift-click a vertex, or select it and press “Pin this vertex”: pin or free it',
     orbit: 'drag elsewhere: turn · pinch, or wheel with Ctrl: zoom',
+    integrators: {
+      pull: 'drag the surface: pull at it; time runs while you hold it',
+      restart: 'start again from rest',
+      instant: 'the same instant by all methods',
+    },
     lesson: {
       pull: 'drag a vertex: pull at it; time runs while you hold it',
       choose: 'click or tap a spring or vertex: choose it; it lights up in tables and formulas too',

@@ -4,7 +4,7 @@ export const page = {
   skipToText: '跳到正文',
   loading: '正在载入……',
   header: {
-    pages: { label: '页面', springs: '弹簧', lesson: '课程' },
+    pages: { label: '页面', springs: '弹簧', integrators: '积分方法', lesson: '课程' },
     otherLanguage: 'English',
     otherLanguageLabel: 'Switch to English',
     theme: { label: '主题', system: '主题：跟随系统', light: '主题：浅色', dark: '主题：深色' },
@@ -205,6 +205,11 @@ export const page = {
     click: '点击或轻触弹簧、质点：在两边的公式里看它的数值',
     shiftClick: '按住 Shift 点击质点，或选中后按“固定此质点”：固定或放开',
     orbit: '在别处拖动：旋转 · 双指，或 Ctrl 加滚轮：缩放',
+    integrators: {
+      pull: '拖动曲面：拉住它；按住期间时间前进',
+      restart: '回到静止状态，从头开始',
+      instant: '让所有方法走同一时间步',
+    },
     lesson: {
       pull: '拖动质点：拉着它走；按住期间时间向前走',
       choose: '点击或轻触弹簧、质点：选中它；它在表格和公式中也会亮起',

@@ -1,0 +1,31 @@
+import { inLanguage } from '../../app/messages/in_language.ts';
+import { fillTemplate } from '../../lib/fill_template.ts';
+import { formatNumber } from '../../lib/format.ts';
+import { Phrase } from '../../views/equations/prose.tsx';
+import { en } from './en.ts';
+import { zh } from './zh.ts';
+
+/** Of Δt·ω: symplectic Euler explodes beyond. */
+const limit = 2;
+
+interface Props {
+  /** 1/s: of the fastest oscillation. */
+  omega: number;
+  /** s. */
+  delta_t: number;
+}
+
+/** On which side of the explicit methods' limit the chosen numbers are. */
+export function Stability({ omega, delta_t }: Props) {
+  const words = inLanguage({ en, zh }).stability;
+  const product = omega * delta_t;
+  const stable = product < limit;
+  return (
+    <div class={stable ? 'stability' : 'stability stability-beyond'} data-product={product}>
+      <p>
+        <Phrase text={fillTemplate(words.omega, { omega: formatNumber(omega), product: formatNumber(product) })} />
+      </p>
+      <p>{stable ? words.stable : fillTemplate(words.unstable, { substeps: Math.floor(product / limit) + 1 })}</p>
+    </div>
+  );
+}
