@@ -111,28 +111,28 @@ export const en = {
   },
   instant: {
     heading: 'The same instant',
-    text: raw`However far apart the methods have come, put all of them into the motion of one and let each make this one time step. The exact answer $\symp^\star$ is the minimiser of $E(\symp)$, found by Newton’s method: it is what implicit Euler means by a time step, and what the iterations of the others are on the way to. For an explicit method the difference is no mistake of solving: it answers another question.`,
+    text: raw`However far apart the methods have come, put all of them into the motion of one and let each make this one time step. The exact answer $\symp^\star$ is the minimiser of $\symobjective$, found by Newton’s method: it is what implicit Euler means by a time step, and what the iterations of the others are on the way to. For an explicit method the difference is no mistake of solving: it answers another question.`,
     from: 'From the motion of',
     go: 'Take this step by all',
     caption: 'One time step from the motion of {{name}}; finding the minimiser took {{time}}',
     distance: raw`$\max_i \lVert \symp_i - \symp_i^\star \rVert$`,
-    objective: raw`$E(\symp) - E(\symp^\star)$`,
+    objective: raw`$\symobjective - E(\symp^\star)$`,
     time: 'time',
     failed: 'the step failed',
   },
   cards: {
     heading: 'What each method does',
-    unifying: raw`All but forward Euler are one move in different metrics. With $E(\symp)$ [of one time step](optimisation), whose gradient at $\symp = \sympCurr$ is $-\mathbf{f}(\sympCurr) - \symM\mathbf{v}/\symdeltaT$, they take
+    unifying: raw`All but forward Euler are one move in different metrics. With $\symobjective$ [of one time step](optimisation), whose gradient at $\symp = \sympCurr$ is $-\symf(\sympCurr) - \symM\symvelocity/\symdeltaT$, they take, and those that iterate take again from the new $\symp$,
 
 $$\symp \leftarrow \sympCurr - \mathbf{B}^{-1}\,\nabla E(\sympCurr)$$
 
-and differ in $\mathbf{B}$ alone: the better it stands in for the second derivative of $E$, the larger the steps that end well. Here $\mathbf{K} = \partial\mathbf{f}/\partial\symp$.`,
-    'forward-euler': raw`Moves with the old velocity and only then changes it by the old force: $\symp = \sympCurr + \symdeltaT\,\mathbf{v}$, $\mathbf{v} \leftarrow \mathbf{v} + \symdeltaT\,\symM^{-1}\mathbf{f}(\sympCurr)$. Every swing comes out a little larger than the one before, by the factor $\sqrt{1 + \symdeltaT^2\omega^2}$ a step: without damping it explodes at any step size.`,
-    'symplectic-euler': raw`$\mathbf{B} = \symM/\symdeltaT^2$, a diagonal: nothing to solve. The velocity first, then positions with the new velocity. While $\symdeltaT\,\omega < 2$ its energy swings about the true one and neither grows nor fades; beyond, it explodes.`,
-    'linearly-implicit': raw`$\mathbf{B} = \symM/\symdeltaT^2 - \mathbf{K}$, the second derivative of $E$ at $\sympCurr$: $(\symM - \symdeltaT^2\mathbf{K})\,\mathbf{v} \leftarrow \symM\mathbf{v} + \symdeltaT\,\mathbf{f}(\sympCurr)$. One linear system a time step, with new numbers each time. This is one Newton step of implicit Euler without a line search.`,
+and differ in $\mathbf{B}$ alone: the better it stands in for the second derivative of $E$, the larger the steps that end well. Here $\mathbf{K} = \partial\symf/\partial\symp$.`,
+    'forward-euler': raw`Moves with the old velocity and only then changes it by the old force: $\symp = \sympCurr + \symdeltaT\,\symvelocity$, $\symvelocity \leftarrow \symvelocity + \symdeltaT\,\symM^{-1}\symf(\sympCurr)$. Every swing comes out a little larger than the one before, by the factor $\sqrt{1 + \symdeltaT^2\omega^2}$ a step: without damping it explodes at any step size ([try it on one spring](optimisation)).`,
+    'symplectic-euler': raw`$\mathbf{B} = \symM/\symdeltaT^2$, a diagonal: nothing to solve. The velocity first, then positions with the new velocity. While $\symdeltaT\,\omega < 2$ its energy swings about the true one and neither grows nor fades; beyond, it explodes. The lesson calls it the step [by the forces that are known](optimisation).`,
+    'linearly-implicit': raw`$\mathbf{B} = \symM/\symdeltaT^2 - \mathbf{K}$, the second derivative of $E$ at $\sympCurr$: $(\symM - \symdeltaT^2\mathbf{K})\,\symvelocity \leftarrow \symM\symvelocity + \symdeltaT\,\symf(\sympCurr)$. One linear system a time step, with new numbers each time. This is one Newton step of implicit Euler without a line search.`,
     'newton-once': raw`The same $\mathbf{B}$, made positive definite where compressed springs spoil it, and a line search that never lets $E$ rise: a safer [linearly implicit Euler](optimisation).`,
     newton: raw`Repeats the Newton step at every new $\symp$ until $E$ falls no further: the minimiser itself, and so implicit Euler as it is meant. What energy it still loses is the method’s own damping, more with a larger $\symdeltaT$ ([why](time)).`,
-    'local-global': raw`$\mathbf{B} = \symQ$, once for all steps: [one local and one global step](trick) are the same as $\symp \leftarrow \symp - \symQ^{-1}\nabla E(\symp)$. $\symQ$ never changes, so it is factorised once; it is stiffer than the true second derivative, so a single iteration goes too short a way and looks damped.`,
+    'local-global': raw`$\mathbf{B} = \symQ$, once for all steps: [one local and one global step](trick) are the same as $\symp \leftarrow \symp - \symQ^{-1}\nabla \symobjective$. $\symQ$ never changes, so it is factorised once; it is stiffer than the true second derivative, so a single iteration goes too short a way and looks damped.`,
     lbfgs: raw`Starts from $\mathbf{B} = \symQ$ and corrects it by how the gradient changed over the last iterations.`,
     anderson: raw`$\mathbf{B} = \symQ$, and a combination of the last iterates that nearly cancels what is left to do.`,
     chebyshev: raw`$\mathbf{B} = \symQ$, and every iterate is carried on along the last move.`,

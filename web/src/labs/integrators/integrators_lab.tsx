@@ -45,7 +45,7 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
     <main class="integrators" data-methods={methods.length}>
       <header>
         <h2>{words.title}</h2>
-        <p>{words.intro}</p>
+        <p class="integrators-intro">{words.intro}</p>
       </header>
       <div class="integrators-stage">
         <div class="integrators-nets" id="transport" tabIndex={-1}>

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useId, useRef } from 'preact/hooks';
+import { useId, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/messages/index.ts';
 import { formatPowerOfTen } from '../../lib/format.ts';
 import { useWidth } from '../../lib/use_width.ts';
@@ -112,11 +112,19 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
           </li>
         ))}
       </ul>
-      <details class="line-chart-numbers">
-        <summary>{t('plots.numbers')}</summary>
-        <ChartNumbers series={series} x={x} y={y} />
-      </details>
+      <Numbers series={series} x={x} y={y} />
     </figure>
+  );
+}
+
+/** Made only while they are looked at: a chart that grows would make them again and again. */
+function Numbers(numbers: Pick<Props, 'series' | 'x' | 'y'>) {
+  const [open, setOpen] = useState(false);
+  return (
+    <details class="line-chart-numbers" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>{t('plots.numbers')}</summary>
+      {open && <ChartNumbers {...numbers} />}
+    </details>
   );
 }
 

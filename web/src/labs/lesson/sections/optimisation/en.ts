@@ -62,6 +62,7 @@ more than the last. Press play, then lower $\symk$ or $\symdeltaT$ until it hold
       'Energy over simulated time: beyond the limit it grows without bound with the forces at the start of the step, and never with those at its end.',
     seen: raw`Below the limit explicit steps keep the energy better than implicit ones. But a net has as many $\omega$ as it has ways to swing,
 and the fastest alone dictates $\symdeltaT$. The implicit step is stable with any.`,
+    lab: 'A whole cloth by both explicit Euler methods and an implicit one, side by side, in the integrators lab',
   },
   slips: {
     title: 'E in print',

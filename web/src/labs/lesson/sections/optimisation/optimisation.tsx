@@ -1,4 +1,8 @@
+import { explicitIntegrators } from '../../../../app/integrators.ts';
+import { encodeLink } from '../../../../app/link.ts';
 import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { integratorsRoute } from '../../../../app/route.ts';
+import { state } from '../../../../app/state.ts';
 import { Display } from '../../../../views/equations/display.tsx';
 import { Prose } from '../../../../views/equations/prose.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
@@ -51,6 +55,11 @@ export function Optimisation() {
       <Question ask={words.explicit.ask} hint={words.explicit.hint} answer={words.explicit.answer}>
         <ExplicitForces />
         <Prose text={words.explicit.seen} />
+        <p>
+          <a href={encodeLink(integratorsRoute, { ...state.value, integrators: explicitIntegrators })}>
+            {words.explicit.lab}
+          </a>
+        </p>
       </Question>
       <h3>{words.slips.title}</h3>
       <Prose text={words.slips.intro} />
