@@ -6,7 +6,6 @@ const state = (x: number, steps: number): VariantState => ({
   p: Float64Array.of(x, 0, 0),
   energies: Array.from({ length: steps }, () => ({ kinetic: x, springs: 0, external: 0 })),
   milliseconds: 1,
-  frequency: 1,
   factorisations: 1,
   cost: null,
   failure: null,

@@ -50,6 +50,8 @@ export class SideBySide {
   readonly distances = signal<readonly (readonly DistanceSample[])[]>([]);
   /** Wall-clock ms of a time step of each, lately; null before the first. As often as energies. */
   readonly milliseconds = signal<readonly (number | null)[]>([]);
+  /** ω, rad/s, of the fastest oscillation around where the first variant was when settings last changed. */
+  readonly frequency = signal(0);
   /** Which variant the others are measured by. */
   readonly reference = signal(0);
   /** Time steps made since the start. */
@@ -131,12 +133,13 @@ export class SideBySide {
     );
     if (outcome === 'overtaken') return true;
     if (outcome === null || !isTaken(outcome)) return false;
-    const { states, from } = outcome.value;
+    const { states, frequency, from } = outcome.value;
     this.start = { ...(this.start as CommonStart), variants };
     this.record.reorder(from);
     batch(() => {
       this.reference.value = Math.max(0, from.indexOf(this.reference.value));
       this.instant.value = null;
+      this.frequency.value = frequency;
       this.states.value = states;
       this.publish();
     });
@@ -197,13 +200,14 @@ export class SideBySide {
     return variants[0].parameters;
   }
 
-  private take({ states, r }: OpenedSideBySide): void {
+  private take({ states, frequency, r }: OpenedSideBySide): void {
     const { scene, pins } = this.start as CommonStart;
     this.record.begin(states.length);
     this.clock.reset();
     batch(() => {
       this.scene.value = scene;
       this.r.value = r;
+      this.frequency.value = frequency;
       this.pins.value = pins;
       this.states.value = states;
       this.step.value = 0;

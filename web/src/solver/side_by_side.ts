@@ -13,8 +13,6 @@ export interface VariantState {
   energies: MechanicalEnergy[];
   /** Wall-clock ms of a time step of the request, on average. */
   milliseconds: number;
-  /** 1/s: of the fastest oscillation. */
-  frequency: number;
   /** Of Q, since the beginning. */
   factorisations: number;
   /** What only a variant with a mistake tells. */
@@ -25,12 +23,15 @@ export interface VariantState {
 
 export interface OpenedSideBySide {
   states: VariantState[];
+  /** ω, rad/s, of the fastest oscillation around where the first one is. */
+  frequency: number;
   /** #E, m: rest lengths. */
   r: Float64Array;
 }
 
 export interface ChangedSideBySide {
   states: VariantState[];
+  frequency: number;
   /** For each, which of those before it goes on from; null where it is new. */
   from: (number | null)[];
 }
@@ -87,7 +88,8 @@ export class SideBySideSession {
     }
     release(this.runners);
     Object.assign(this, { problem, pins, runners: opened, next: from?.step ?? 1 });
-    return { ok: true, value: { states: opened.map((runner) => stateOf(runner, [], 0)), r: opened[0].r() } };
+    const states = opened.map((runner) => stateOf(runner, [], 0));
+    return { ok: true, value: { states, frequency: opened[0].frequency(), r: opened[0].r() } };
   }
 
   change(variants: readonly Variant[]): Outcome<ChangedSideBySide> {
@@ -113,7 +115,8 @@ export class SideBySideSession {
     }
     release(this.runners.filter((runner) => !next.includes(runner)));
     this.runners = next;
-    return { ok: true, value: { states: next.map((runner) => stateOf(runner, [], 0)), from } };
+    const states = next.map((runner) => stateOf(runner, [], 0));
+    return { ok: true, value: { states, frequency: next[0].frequency(), from } };
   }
 
   run(pins: Pins, pull: Pull | null, steps: number): VariantState[] {
@@ -182,7 +185,6 @@ function stateOf(runner: VariantRunner, energies: MechanicalEnergy[], millisecon
     p: runner.p(),
     energies,
     milliseconds,
-    frequency: runner.frequency(),
     factorisations: runner.factorisations(),
     cost: runner.cost(),
     failure: runner.failure,

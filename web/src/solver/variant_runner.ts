@@ -150,7 +150,7 @@ export class VariantRunner {
     return this.simulation.objective_at(p).objective;
   }
 
-  /** 1/s: of the fastest oscillation. */
+  /** ω, rad/s, of the fastest oscillation around where it is. */
   frequency(): number {
     return (this.simulation as { largest_frequency?: () => number }).largest_frequency?.() ?? 100;
   }

@@ -74,6 +74,8 @@ export const en = {
     failed: 'stopped at time step {{step}}: {{sentence}}',
     unstable:
       '{{name}} left its stable region: Δt·ω = {{value}} > {{limit}}. The positions before are kept; “Start again” brings it back.',
+    unbounded:
+      '{{name}} exploded at time step {{step}}, as it does at any step size without damping; here Δt·ω is {{value}}. The positions before are kept; “Start again” brings it back.',
     grew: '{{name}} exploded at time step {{step}}. The positions before are kept; “Start again” brings it back.',
   },
   energy: {

@@ -10,7 +10,12 @@ import { zh } from './zh.ts';
 export function failureText(name: string, { status, step }: NonNullable<VariantState['failure']>): string {
   const words = inLanguage({ en, zh }).note;
   if ((status.code as string) === 'unstable')
-    return fillTemplate(words.unstable, { name, value: formatNumber(status.value), limit: status.limit });
+    return fillTemplate(status.limit > 0 ? words.unstable : words.unbounded, {
+      name,
+      step,
+      value: formatNumber(status.value),
+      limit: formatNumber(status.limit),
+    });
   if (status.code === 'diverged') return fillTemplate(words.grew, { name, step });
   return fillTemplate(words.failed, { step, sentence: describeStatus(status) });
 }

@@ -40,7 +40,6 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
 
   if (!opened) return <p class="obstacle">{words.opening}</p>;
   const inForce = comparedParametersOn(scene, parameters);
-  const omega = states?.[0]?.frequency ?? Number.NaN;
   return (
     <main class="integrators" data-methods={methods.length}>
       <header>
@@ -61,7 +60,7 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
         </div>
         <div class="integrators-controls">
           <MethodList actions={actions} />
-          {Number.isFinite(omega) && <Stability omega={omega} delta_t={inForce.delta_t} />}
+          <Stability omega={run.frequency.value} delta_t={inForce.delta_t} />
           <Settings scene={scene} actions={actions} />
         </div>
       </div>

@@ -9,7 +9,7 @@ import { zh } from './zh.ts';
 const limit = 2;
 
 interface Props {
-  /** 1/s: of the fastest oscillation. */
+  /** rad/s: of the fastest oscillation. */
   omega: number;
   /** s. */
   delta_t: number;
@@ -21,11 +21,13 @@ export function Stability({ omega, delta_t }: Props) {
   const product = omega * delta_t;
   const stable = product < limit;
   return (
-    <div class={stable ? 'stability' : 'stability stability-beyond'} data-product={product}>
-      <p>
+    <div>
+      <p class="stability">
         <Phrase text={fillTemplate(words.omega, { omega: formatNumber(omega), product: formatNumber(product) })} />
       </p>
-      <p>{stable ? words.stable : fillTemplate(words.unstable, { substeps: Math.floor(product / limit) + 1 })}</p>
+      <p class={stable ? 'stability' : 'stability stability-beyond'}>
+        {stable ? words.stable : fillTemplate(words.unstable, { substeps: Math.floor(product / limit) + 1 })}
+      </p>
     </div>
   );
 }

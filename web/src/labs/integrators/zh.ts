@@ -72,6 +72,8 @@ export const zh: Catalogue<typeof en> = {
     time: '每个时间步 {{time}}',
     failed: '停在第 {{step}} 个时间步：{{sentence}}',
     unstable: '{{name}}离开了稳定区域：Δt·ω = {{value}} > {{limit}}。已保留此前的位置，按“从头开始”即可恢复。',
+    unbounded:
+      '{{name}}在第 {{step}} 个时间步发散：没有足够的阻尼时，无论 Δt·ω 多小都会如此，此处为 {{value}}。已保留此前的位置，按“从头开始”即可恢复。',
     grew: '{{name}}在第 {{step}} 个时间步发散。已保留此前的位置，按“从头开始”即可恢复。',
   },
   energy: {
