@@ -13,7 +13,7 @@ export const en = {
     'symplectic-euler': 'Symplectic Euler',
     'linearly-implicit': 'Linearly implicit Euler',
     'newton-once': 'One Newton step',
-    newton: 'Newton',
+    newton: 'Newton, converged',
     'local-global': 'Local/global',
     lbfgs: 'L-BFGS',
     anderson: 'Anderson',
@@ -38,6 +38,8 @@ export const en = {
   methods: {
     heading: 'Methods',
     method: 'Method {{number}}',
+    atOnce: 'At once',
+    iterated: 'Implicit Euler by',
     iterations: 'iterations',
     substeps: 'substeps',
     substepsHint: 'A time step is made as so many steps of Δt over that number',

@@ -42,6 +42,12 @@ export function MethodList({ actions }: { actions: Actions }) {
   );
 }
 
+const atOnce = entries.filter((entry) => countOf(entry) === 'substeps');
+const groups = [
+  ['atOnce', atOnce],
+  ['iterated', entries.filter((entry) => !atOnce.includes(entry))],
+] as const;
+
 interface RowProps {
   at: number;
   choice: MethodChoice;
@@ -50,7 +56,7 @@ interface RowProps {
 }
 
 function MethodRow({ at, choice, onSet, remove }: RowProps) {
-  const { methods: words, long } = inLanguage({ en, zh });
+  const { methods: words, short } = inLanguage({ en, zh });
   const entry = entryOf(choice);
   const count = countOf(entry);
   return (
@@ -63,10 +69,14 @@ function MethodRow({ at, choice, onSet, remove }: RowProps) {
         aria-label={fillTemplate(words.method, { number: at + 1 })}
         onChange={(event) => onSet(choiceOf(event.currentTarget.value as Entry))}
       >
-        {entries.map((one) => (
-          <option key={one} value={one}>
-            {long[one]}
-          </option>
+        {groups.map(([group, some]) => (
+          <optgroup key={group} label={words[group]}>
+            {some.map((one) => (
+              <option key={one} value={one}>
+                {short[one]}
+              </option>
+            ))}
+          </optgroup>
         ))}
       </select>
       {count && (
