@@ -109,7 +109,7 @@ test('methods and settings are changed while it runs, and a link opens the same 
   await expectSteps(page, 3);
   await page.getByRole('button', { name: en.methods.add }).click();
   await page.getByLabel('Method 2').selectOption('chebyshev');
-  await page.getByLabel(en.settings.k, { exact: true }).last().fill('250');
+  await page.locator('#compared-k').fill('250');
   await page.keyboard.press('Enter');
   await expect(page.locator('.net h4')).toHaveText(['Local/global × 10', 'Chebyshev × 10']);
   await expectSteps(page, (await stepOf(page)) + 3);

@@ -34,6 +34,9 @@ interface Crew {
   lose: (reason: Error) => void;
 }
 
+/** Requests that may wait: more time steps are a held key, and only delay what the reader sees. */
+const longestQueue = 4;
+
 /** How long a curve stands while it grows. */
 const legible_ms = 200;
 
@@ -161,7 +164,7 @@ export class SideBySide {
 
   /** So many time steps at once. */
   async run(steps: number): Promise<void> {
-    if (this.waiting > 0 || !this.states.value) return;
+    if (this.waiting >= longestQueue || !this.states.value) return;
     const states = await this.ask<VariantState[]>(async (service) =>
       service.run(this.pins.value, this.pull.value, steps),
     );
