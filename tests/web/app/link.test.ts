@@ -5,7 +5,7 @@ import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
-import { minimisers } from '../../../web/src/solver/module.ts';
+import { methods, minimisers } from '../../../web/src/solver/module.ts';
 
 const lab = { page: 'springs', room: null } as const;
 

@@ -125,3 +125,59 @@ describe('the same instant', () => {
     expect(farthest(outcome.value.states[0].p, alone.p())).toBeGreaterThan(1e-6);
   });
 });
+
+describe('a pull', () => {
+  const pull = { vertices: Int32Array.of(15), targets: Float64Array.of(2, -1, 1), stiffness: 500 };
+
+  test('draws all variants to its point, and lets them go', () => {
+    const session = opened([variant({ method: 'linearly-implicit' }), many]);
+    const distances = (list: readonly { p: Float64Array }[]) =>
+      list.map(({ p }) => farthest(p.subarray(45, 48), pull.targets));
+    const before = distances(session.run(held, null, 5));
+    const pulled = distances(session.run(held, pull, 5));
+    const after = distances(session.run(held, null, 40));
+    for (const at of [0, 1]) {
+      expect(pulled[at]).toBeLessThan(before[at]);
+      expect(after[at]).toBeGreaterThan(pulled[at]);
+    }
+  });
+
+  test('is part of the E(p) that the same instant minimises', () => {
+    const session = opened([variant({ method: 'newton', iterations: 1000 }), many]);
+    session.run(held, pull, 3);
+    const outcome = session.sameInstant(0, held, pull);
+    if (!outcome.ok) throw new Error(outcome.status.code);
+    expect(outcome.value.errors[0]?.distance).toBeLessThan(rounding * 100);
+    expect(outcome.value.errors[1]?.objective).toBeGreaterThan(0);
+  });
+});
+
+describe('an explicit method', () => {
+  const forward = variant({ method: 'forward-euler' });
+
+  test('that explodes says so and stands still, while others go on; other settings let it go on', () => {
+    const session = opened([forward, many]);
+    const states = session.run(held, null, 1000);
+    const { failure, p, energies } = states[0];
+    expect(failure?.status.code).toBe('unstable');
+    expect(failure?.step).toBe(energies.length + 1);
+    expect(p.every(Number.isFinite)).toBe(true);
+    expect(states[1].failure).toBeNull();
+    const { states: after } = changed(session, [many, many]);
+    expect(after.map((state) => state.failure)).toEqual([null, null]);
+  });
+
+  test('keeps its velocity, which its last move does not tell, when its settings change', () => {
+    const [session, undisturbed] = [opened([forward]), opened([forward])];
+    session.run(held, null, 3);
+    undisturbed.run(held, null, 3);
+    changed(session, [variant({ method: 'forward-euler', iterations: 7 })]); // which it does not heed
+    const [p, q] = [session, undisturbed].map((one) => one.run(held, null, 2)[0].p);
+    expect(farthest(p, q)).toBeLessThan(100 * rounding);
+  });
+
+  test('is stable with enough substeps', () => {
+    const session = opened([variant({ method: 'symplectic-euler' }, 8)]);
+    expect(session.run(held, null, 300)[0].failure).toBeNull();
+  });
+});

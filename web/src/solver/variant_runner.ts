@@ -35,25 +35,29 @@ export interface Failure {
 
 const ok: Status = { code: 'ok', field: '', index: -1, value: 0, limit: 0 };
 
+const noPull: Pull = { vertices: new Int32Array(), targets: new Float64Array(), stiffness: 1 };
+
 /** A variant at work. Whoever makes it deletes it. */
 export class VariantRunner {
   failure: Failure | null = null;
   variant: Variant;
   private readonly simulation: Simulation | MistakenSimulation;
-  /** The same, where it makes a mistake. */
+  /** The same: one of them, by whether it makes a mistake. */
+  private readonly right: Simulation | null;
   private readonly mistaken: MistakenSimulation | null;
 
   constructor(module: SolverModule, variant: Variant) {
     this.variant = variant;
-    this.mistaken = variant.mistake === 'none' ? null : new module.MistakenSimulation();
-    this.simulation = this.mistaken ?? new module.Simulation();
+    this.right = variant.mistake === 'none' ? new module.Simulation() : null;
+    this.mistaken = this.right ? null : new module.MistakenSimulation();
+    this.simulation = (this.right ?? this.mistaken) as Simulation | MistakenSimulation;
   }
 
   open({ V, E, m }: Problem, { pinned, targets }: Pins): Status {
     const parameters = ofSubstep(this.variant);
-    const opened = this.mistaken
-      ? this.mistaken.set_scene(V, E, m, pinned, parameters, this.variant.mistake)
-      : (this.simulation as Simulation).set_scene(V, E, m, pinned, parameters);
+    const opened =
+      this.right?.set_scene(V, E, m, pinned, parameters) ??
+      (this.mistaken as MistakenSimulation).set_scene(V, E, m, pinned, parameters, this.variant.mistake);
     return opened.code === 'ok' ? this.simulation.set_pins(pinned, targets) : opened;
   }
 
@@ -84,8 +88,9 @@ export class VariantRunner {
   /** As it was before a step that failed. */
   motion(): Motion {
     const { simulation } = this;
-    const h = ofSubstep(this.variant).delta_t;
     const p = simulation.p().slice();
+    if (this.right) return { p, v: this.right.velocity().slice() };
+    const h = ofSubstep(this.variant).delta_t;
     const settled = simulation.half_step() === simulation.last_half_step();
     const before = settled ? simulation.p_curr().slice() : simulation.p_prev().slice();
     return { p, v: before.map((q, c) => (p[c] - q) / h) };
@@ -124,8 +129,11 @@ export class VariantRunner {
     return energies;
   }
 
-  private hold({ pinned, targets }: Pins, _pull: Pull | null): Status {
-    return this.simulation.set_pins(pinned, targets);
+  private hold({ pinned, targets }: Pins, pull: Pull | null): Status {
+    const status = this.simulation.set_pins(pinned, targets);
+    if (status.code !== 'ok' || !this.right) return status; // who makes mistakes on purpose is not pulled
+    const { vertices, targets: ends, stiffness } = pull ?? noPull;
+    return this.right.set_pull(vertices, ends, stiffness);
   }
 
   private step(): Status {
@@ -150,9 +158,9 @@ export class VariantRunner {
     return this.simulation.objective_at(p).objective;
   }
 
-  /** ω, rad/s, of the fastest oscillation around where it is. */
+  /** ω, rad/s, of the fastest oscillation around where it is; not a number where it makes a mistake. */
   frequency(): number {
-    return (this.simulation as { largest_frequency?: () => number }).largest_frequency?.() ?? 100;
+    return this.right?.largest_frequency() ?? Number.NaN;
   }
 
   /** #E, m: a copy of the rest lengths. */

@@ -9,7 +9,7 @@ import { zh } from './zh.ts';
 /** Why a method stands still, in a sentence or two. */
 export function failureText(name: string, { status, step }: NonNullable<VariantState['failure']>): string {
   const words = inLanguage({ en, zh }).note;
-  if ((status.code as string) === 'unstable')
+  if (status.code === 'unstable')
     return fillTemplate(status.limit > 0 ? words.unstable : words.unbounded, {
       name,
       step,

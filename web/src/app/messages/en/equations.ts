@@ -23,9 +23,6 @@ export const equations = {
       anderson: 'Anderson mixes the solution of Qp = b with those of the last iterations, so Qp − b is not 0.',
       lbfgs:
         'L-BFGS only sets out towards the solution of Qp = b, then turns by what the last iterations taught, so Qp − b is not 0.',
-      'linearly-implicit': 'x',
-      'symplectic-euler': 'x',
-      'forward-euler': 'x',
       newton: 'Newton solves with the second derivatives of E in place of Q, so Qp − b is not 0.',
     },
     vertex: 'Vertex {{index}}',
