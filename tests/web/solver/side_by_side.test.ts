@@ -143,7 +143,7 @@ describe('a pull', () => {
   });
 
   test('is part of the E(p) that the same instant minimises', () => {
-    const session = opened([variant({ method: 'newton', iterations: 1000 }), many]);
+    const session = opened([variant({ method: 'newton', iterations: 1000 }), few]);
     session.run(held, pull, 3);
     const outcome = session.sameInstant(0, held, pull);
     if (!outcome.ok) throw new Error(outcome.status.code);

@@ -55,7 +55,8 @@ export function SameInstant({ run, names }: { run: SideBySide; names: readonly s
                 <tr key={names[at]}>
                   <th scope="row">{names[at]}</th>
                   <td>{error ? formatLength(error.distance) : words.failed}</td>
-                  <td>{error ? formatQuantity(error.objective, 'J') : ''}</td>
+                  {/* Below the minimum is rounding. */}
+                  <td>{error ? formatQuantity(Math.max(0, error.objective), 'J') : ''}</td>
                   <td>{error ? formatQuantity(instant.states[at].milliseconds, 'ms', 2) : ''}</td>
                 </tr>
               ))}
