@@ -67,9 +67,15 @@ export class SideBySide {
   readonly held = signal<number | null>(null);
   /** What pulls at all variants: time runs as long as it does. */
   readonly pull = signal<Pull | null>(null);
+  /** Which variants are still able to move. */
+  readonly moving = computed<readonly number[]>(() => [...this.movingNames.value].map(Number));
   /** Whether there is something still able to move. */
-  readonly alive = computed(() => this.states.value?.some(({ failure }) => failure === null) ?? false);
+  readonly alive = computed(() => this.movingNames.value !== '');
 
+  /** The same, a digit each, and so equal as long as nobody fails: who shows them is not to be drawn anew with every picture. */
+  private readonly movingNames = computed(
+    () => this.states.value?.map(({ failure }, at) => (failure ? '' : at)).join('') ?? '',
+  );
   private readonly running = computed(
     () => this.alive.value && (this.playing.value || this.held.value !== null || this.pull.value !== null),
   );
@@ -225,6 +231,8 @@ export class SideBySide {
     batch(() => {
       this.states.value = states;
       this.step.value += steps;
+      if (states[this.reference.value].failure && this.alive.value)
+        this.measureBy(states.findIndex(({ failure }) => !failure)); // who stands still is no measure for the others
       if (!this.running.value || performance.now() >= this.legibleSince + legible_ms) this.publish();
     });
   }

@@ -25,7 +25,6 @@ import './integrators.css';
 export function IntegratorsLab({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh });
   const run = useSession(actions);
-  const { value: states } = run.states;
   const { value: scene } = run.scene;
   const { methods, parameters, poke } = state.value.integrators;
   const names = namesOf(methods);
@@ -34,9 +33,13 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
   useEffect(() => {
     document.title = `${words.title} – ${t('page.title')}`;
   }, [words.title]);
-  useEffect(() => {
-    if (states) document.body.dataset.ready = 'true';
-  }, [states]);
+  useEffect(
+    () =>
+      run.states.subscribe((states) => {
+        if (states) document.body.dataset.ready = 'true';
+      }),
+    [run],
+  );
 
   if (!opened) return <p class="obstacle">{words.opening}</p>;
   const inForce = comparedParametersOn(scene, parameters);

@@ -9,7 +9,8 @@ import { zh } from './zh.ts';
 
 /** Under a net's name: what its energy does, or why it stands still. Only the latter is read out. */
 export function NetNote({ run, net, name }: { run: SideBySide; net: number; name: string }) {
-  const failure = run.states.value?.[net]?.failure ?? null;
+  run.moving.value; // whoever fails is told at once, and the energy as often as a reader can follow
+  const failure = run.states.peek()?.[net]?.failure ?? null;
   return (
     <>
       {!failure && rateText(energyRate(run.energies.value[net] ?? []))}

@@ -12,7 +12,8 @@ import { zh } from './zh.ts';
 export function SameInstant({ run, names }: { run: SideBySide; names: readonly string[] }) {
   const words = inLanguage({ en, zh }).instant;
   const [chosen, choose] = useState(0);
-  const leader = Math.min(chosen, names.length - 1);
+  const leaders = run.moving.value;
+  const leader = leaders.includes(chosen) ? chosen : (leaders[0] ?? 0);
   const { value: instant } = run.instant;
   return (
     <section id="same-instant" class="same-instant" aria-labelledby="same-instant-heading">
@@ -22,10 +23,10 @@ export function SameInstant({ run, names }: { run: SideBySide; names: readonly s
         <LabelledSelect
           label={words.from}
           value={String(leader)}
-          options={names.map((name, at) => [String(at), name] as const)}
+          options={leaders.map((at) => [String(at), names[at]] as const)}
           onChange={(value) => choose(Number(value))}
         />
-        <button type="button" disabled={!run.states.value} onClick={() => void run.sameInstant(leader)}>
+        <button type="button" disabled={leaders.length === 0} onClick={() => void run.sameInstant(leader)}>
           {words.go}
         </button>
       </p>

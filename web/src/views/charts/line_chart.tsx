@@ -39,6 +39,8 @@ interface Props {
 }
 
 const height = 240; // px
+/** Characters: the margin has room for no more. */
+const longestTick = 7;
 const margin = { left: 56, right: 12, top: 8, bottom: 28 }; // px
 
 /** A few curves in one frame, told apart by colour, dashes and name; their numbers in a table. */
@@ -155,5 +157,9 @@ function toPlace(range: Range, from: number, to: number): (value: number) => num
 }
 
 function tickText(value: number, { logarithmic }: Range): string {
-  return logarithmic ? formatPowerOfTen(Math.round(Math.log10(value))) : String(value).replace('-', '−');
+  if (logarithmic) return formatPowerOfTen(Math.round(Math.log10(value)));
+  const plain = String(value).replace('-', '−');
+  if (plain.length <= longestTick) return plain;
+  const [mantissa, exponent] = value.toExponential().split('e');
+  return `${mantissa.replace('-', '−')}·${formatPowerOfTen(Number(exponent))}`;
 }
