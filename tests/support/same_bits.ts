@@ -23,10 +23,10 @@ function run({ scene, parameters }: typeof net36, how: Partial<Parameters>): Run
   return { name, scene, parameters: { ...parameters, ...how }, steps };
 }
 
-/** The explicit methods with steps so short that a third of a second goes well. */
+/** The explicit methods with steps so short that 300 of them go well. */
 function choice(method: Method, path: Parameters['path']): Partial<Parameters> {
   const explicit = method === 'symplectic-euler' || method === 'forward-euler';
-  return { method, path, ...(explicit && { delta_t: 1e-3 }) };
+  return { method, path, ...(explicit && { delta_t: 1e-4 }) };
 }
 
 /** Without wind, whose sines and cosines are the C library's. */

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "spring_blocks.h"
 #include "time_step.h"
 
 namespace mass_spring {
@@ -16,5 +17,9 @@ namespace mass_spring {
 /// @param left_out  share of that negative curvature to leave out: 0 is the exact Hessian, with 1
 /// it is certain to be positive definite
 Triplets hessian(const TimeStep& step, const Points& p, double left_out);
+
+/// The same with the rows and columns taken out that `H` was analysed without, filled in where its
+/// pattern has them.
+void fill_in_hessian(const TimeStep& step, const Points& p, double left_out, SpringBlocks& H);
 
 }  // namespace mass_spring

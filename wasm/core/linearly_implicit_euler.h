@@ -1,9 +1,8 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <array>
-#include <vector>
 
+#include "spring_blocks.h"
 #include "time_step.h"
 #include "types.h"
 
@@ -21,23 +20,12 @@ class LinearlyImplicitEuler {
   void operator()(const TimeStep& step, Points& q);
 
   /// P(M - Δt D - Δt² K)Pᵀ of the last step, #unknowns by #unknowns, kg.
-  const SparseMatrix& matrix() const { return matrix_; }
+  const SparseMatrix& matrix() const { return blocks_.matrix(); }
 
  private:
-  /// Where the three columns of a 3 by 3 block begin among the values of the matrix.
-  using Place = std::array<int, 3>;
-  static constexpr Place nowhere = {-1, -1, -1};
-
-  void analyse(const TimeStep& step);
   void fill_in(const TimeStep& step, const Points& q_dot);
-  Place place_of(int row, int column) const;
-  void add(const Place& place, const Eigen::Matrix3d& block);
 
-  Indices unknown_;  // #V: the first of a vertex' three unknowns, -1 where it is pinned
-  Edges edges_;      // #E by 2: what was analysed
-  Indices pinned_;   // #pinned
-  std::vector<std::array<Place, 4>> places_;  // of every spring: (i, i), (j, j), (i, j), (j, i)
-  SparseMatrix matrix_;
+  SpringBlocks blocks_;
   Vector b_;  // #unknowns, N s
   Eigen::SimplicialLDLT<SparseMatrix> ldlt_;
 };

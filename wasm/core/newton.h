@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "largest_free_component.h"
+#include "spring_blocks.h"
 #include "standing.h"
 #include "time_step.h"
 #include "types.h"
@@ -40,11 +41,12 @@ class NewtonProblem {
 ///
 /// Since it compares objectives by objective_change, it ends only where the rounding of ∂E/∂p, not
 /// that of E, hides the way down. At a pin that leaves forces of w |p| 1e-16, N, but distances of
-/// |p| 1e-16 only. Unlike the other methods, every iteration allocates and factorises; the factor
+/// |p| 1e-16 only. Unlike the other methods, every iteration factorises; the factor
 /// has about nine times the entries of Q's.
 class Newton {
  public:
-  /// @param problem  with the springs and pins of all before: the pattern of H is analysed once
+  /// @param problem  as long as it has the springs and pins of the one before, the pattern of H is
+  /// analysed once
   /// @param p  #V by 3, m; where pins are held, they have to be there
   void begin(const NewtonProblem& problem, const Points& p);
 
@@ -56,13 +58,17 @@ class Newton {
   const Standing<Points>& standing() const { return standing_; }
 
  private:
+  /// `ended`: H is positive definite, and still its step does not lower E by more than rounding.
+  enum class Descent { moved, ended, not_convex };
+
   void evaluate(const NewtonProblem& problem, const Points& p);
-  bool descend(const NewtonProblem& problem, double left_out, Points& p);
+  Descent descend(const NewtonProblem& problem, double left_out, Points& p);
 
   Standing<Points> standing_;
-  std::size_t caution_ = 0;  // which share of negative curvature to leave out
-  bool analysed_ = false;
-  Eigen::SimplicialLLT<SparseMatrix> llt_;  // of H, 3#V by 3#V, N/m
+  std::size_t caution_ = 0;                 // which share of negative curvature to leave out
+  SpringBlocks H_;                          // #unknowns by #unknowns, N/m
+  Eigen::SimplicialLLT<SparseMatrix> llt_;  // of H
+  Vector g_;                                // #unknowns: ∂E/∂p, N, then H⁻¹ ∂E/∂p, m
   Points x_;                                // #V by 3, m: H⁻¹ ∂E/∂p
   Points q_;                                // #V by 3, m: a candidate for the next iterate
 };
