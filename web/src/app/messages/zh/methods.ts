@@ -11,7 +11,7 @@ export const methods: Catalogue<typeof en> = {
     newton: '牛顿法',
     'linearly-implicit': '线性隐式欧拉法',
     'symplectic-euler': '辛欧拉法',
-    'forward-euler': '显式欧拉法',
+    'forward-euler': '前向欧拉法',
   },
   explained: {
     'local-global': '每次迭代只做一个局部步和一个全局步：单次迭代最省，E 从不上升，但可能需要上千次迭代。',
