@@ -63,7 +63,7 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
         </div>
         <div class="integrators-controls">
           <MethodList actions={actions} />
-          <Stability omega={run.frequency.value} delta_t={inForce.delta_t} />
+          <Stability omega={run.frequency.value} delta_t={inForce.delta_t} methods={methods} />
           <Settings scene={scene} actions={actions} />
         </div>
       </div>

@@ -1,3 +1,4 @@
+import { explicitMethods, type MethodChoice } from '../../app/integrators.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { fillTemplate } from '../../lib/fill_template.ts';
 import { formatNumber } from '../../lib/format.ts';
@@ -13,19 +14,23 @@ interface Props {
   omega: number;
   /** s. */
   delta_t: number;
+  methods: readonly MethodChoice[];
 }
 
 /** On which side of the explicit methods' limit the chosen numbers are. */
-export function Stability({ omega, delta_t }: Props) {
+export function Stability({ omega, delta_t, methods }: Props) {
   const words = inLanguage({ en, zh }).stability;
   const product = omega * delta_t;
   const stable = product < limit;
+  const explodes = methods.some(
+    ({ method, substeps }) => explicitMethods.includes(method) && product >= limit * substeps,
+  );
   return (
     <div>
       <p class="stability">
         <Phrase text={fillTemplate(words.omega, { omega: formatNumber(omega), product: formatNumber(product) })} />
       </p>
-      <p class={stable ? 'stability' : 'stability stability-beyond'}>
+      <p class={explodes ? 'stability stability-beyond' : 'stability'}>
         {stable ? words.stable : fillTemplate(words.unstable, { substeps: Math.floor(product / limit) + 1 })}
       </p>
     </div>
