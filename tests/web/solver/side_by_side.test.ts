@@ -37,7 +37,8 @@ test('a time step of three substeps is three steps of a third of Δt', () => {
   const [state] = opened([variant({}, 3)]).run(held, null, 2);
   expect(state.p).toEqual(alone.p());
   expect(state.energies).toHaveLength(2);
-  expect(state.energies[1]).toEqual(alone.energy());
+  const { kinetic, springs } = alone.energy();
+  expect(state.energies[1]).toMatchObject({ kinetic, springs });
 });
 
 describe('a change', () => {

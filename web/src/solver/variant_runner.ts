@@ -45,6 +45,8 @@ export class VariantRunner {
   /** The same: one of them, by whether it makes a mistake. */
   private readonly right: Simulation | null;
   private readonly mistaken: MistakenSimulation | null;
+  /** Σ m_i y_i at rest, kg·m. */
+  private massTimesHeight = 0;
 
   constructor(module: SolverModule, variant: Variant) {
     this.variant = variant;
@@ -55,6 +57,7 @@ export class VariantRunner {
 
   open({ V, E, m }: Problem, { pinned, targets }: Pins): Status {
     const parameters = ofSubstep(this.variant);
+    this.massTimesHeight = m.reduce((sum, mass, i) => sum + mass * V[3 * i + 1], 0);
     const opened =
       this.right?.set_scene(V, E, m, pinned, parameters) ??
       (this.mistaken as MistakenSimulation).set_scene(V, E, m, pinned, parameters, this.variant.mistake);
@@ -116,17 +119,23 @@ export class VariantRunner {
     return this.simulation.set_state(firstSubstep(step, this.variant), p_curr, before, 0);
   }
 
-  /** So many time steps from the one of this number on; fewer where one fails. Returns the energies after each, J. */
+  /** So many time steps from the one of this number on; fewer where one fails. Returns the energies after each, J, gravity's from the rest positions. */
   run(pins: Pins, pull: Pull | null, step: number, steps: number): MechanicalEnergy[] {
     const energies: MechanicalEnergy[] = [];
     const status = this.hold(pins, pull);
     if (status.code !== 'ok') this.failure ??= this.failureOf(status, step);
     while (!this.failure && energies.length < steps) {
       const made = this.step();
-      if (made.code === 'ok') energies.push(this.simulation.energy());
+      if (made.code === 'ok') energies.push(this.energy());
       else this.failure = this.failureOf(made, step + energies.length);
     }
     return energies;
+  }
+
+  private energy(): MechanicalEnergy {
+    const { kinetic, springs, external } = this.simulation.energy();
+    const { gravity, mass_scale } = this.variant.parameters;
+    return { kinetic, springs, external: external - gravity * mass_scale * this.massTimesHeight };
   }
 
   private hold({ pinned, targets }: Pins, pull: Pull | null): Status {
