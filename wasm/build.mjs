@@ -1,7 +1,7 @@
 // `node wasm/build.mjs web` builds build/web/solver.js and solver.wasm; `node wasm/build.mjs native` builds the core's
 // own tests in build/native. Silent when nothing is to be done.
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 const source = import.meta.dirname;
@@ -18,6 +18,17 @@ const build = join(source, 'build', target);
 const debianModules = '/usr/share/nodejs';
 const nodePath = [process.env.NODE_PATH, existsSync(debianModules) ? debianModules : undefined].filter(Boolean);
 const env = { ...process.env, NODE_PATH: nodePath.join(':') };
+
+/** False too for a build folder that was copied or moved along with the sources: it would build the old place's. */
+function isConfiguredHere() {
+  const cache = join(build, 'CMakeCache.txt');
+  if (!existsSync(join(build, 'build.ninja')) || !existsSync(cache)) return false;
+  if (readFileSync(cache, 'utf8').includes(`CMAKE_HOME_DIRECTORY:INTERNAL=${source}\n`)) return true;
+  for (const name of readdirSync(build)) {
+    if (name !== 'lock') rmSync(join(build, name), { recursive: true });
+  }
+  return false;
+}
 
 /** @param {string[]} command */
 function run([program, ...args]) {
@@ -57,7 +68,7 @@ function takeTurn(lock) {
 
 mkdirSync(build, { recursive: true });
 takeTurn(join(build, 'lock'));
-if (!existsSync(join(build, 'build.ninja'))) run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja']);
+if (!isConfiguredHere()) run([...configure[target], '-S', source, '-B', build, '-G', 'Ninja']);
 const lines = run(['ninja', '--quiet', '-C', build]).split('\n');
 // What remains are the compilers' warnings.
 const warnings = lines.filter((line) => line && !line.startsWith('ninja: ') && !line.startsWith('-- '));
