@@ -13,6 +13,7 @@ import { MethodCards } from './method_cards.tsx';
 import { MethodList } from './method_list.tsx';
 import { namesOf } from './names.ts';
 import { NetNote } from './net_note.tsx';
+import { OrderOfAccuracy } from './order/order.tsx';
 import { ResultsTable } from './results_table.tsx';
 import { SameInstant } from './same_instant.tsx';
 import { Settings } from './settings.tsx';
@@ -73,6 +74,7 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
       </div>
       <ResultsTable run={run} names={names} />
       <SameInstant run={run} names={names} />
+      <OrderOfAccuracy />
       <MethodCards methods={methods} />
     </main>
   );

@@ -5,6 +5,7 @@ import { formatPowerOfTen } from '../../lib/format.ts';
 import { useWidth } from '../../lib/use_width.ts';
 import { type Range, rangeOf, share, ticks } from './chart_axis.ts';
 import { ChartNumbers } from './chart_numbers.tsx';
+import { LineEnds, widthOfEnds } from './line_ends.tsx';
 import './line_chart.css';
 
 /** CSS pixels, y downwards. */
@@ -18,6 +19,8 @@ export interface Series {
   dots?: boolean;
   /** A law fitted to the last of the points, drawn through the dots. */
   law?: Series['points'];
+  /** Written beside the end of the line, right of the chart: a few characters. */
+  end?: string;
 }
 
 export interface ChartAxis {
@@ -41,13 +44,14 @@ interface Props {
 const height = 240; // px
 /** Characters: the margin has room for no more. */
 const longestTick = 7;
-const margin = { left: 56, right: 12, top: 8, bottom: 28 }; // px
+const usualMargin = { left: 56, right: 12, top: 8, bottom: 28 }; // px
 
 /** A few curves in one frame, told apart by colour, dashes and name; their numbers in a table. */
 export function LineChart({ series, x, y, cursor, summary }: Props) {
   const frame = useId();
   const host = useRef<HTMLDivElement>(null);
   const width = useWidth(host);
+  const margin = { ...usualMargin, right: usualMargin.right + widthOfEnds(series.map(({ end = '' }) => end)) };
   const across = axisRange(x, series, 0);
   const along = axisRange(y, series, 1);
   const place = {
@@ -56,6 +60,10 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
   };
   const placed = (points: Series['points']): Place[] =>
     points.filter((point) => point.every(Number.isFinite)).map(([a, b]) => [place.x(a), place.y(b)]);
+  const ends = series.flatMap(({ points, end }, curve) => {
+    const last = placed(points).at(-1);
+    return end && last ? [{ curve, text: end, y: last[1] }] : [];
+  });
 
   return (
     <figure class="line-chart">
@@ -89,7 +97,12 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
               />
             )}
             <clipPath id={frame}>
-              <rect x={margin.left} y={0} width={width - margin.left} height={height - margin.bottom} />
+              <rect
+                x={margin.left}
+                y={0}
+                width={width - margin.left - margin.right + usualMargin.right}
+                height={height - margin.bottom}
+              />
             </clipPath>
             <g clip-path={`url(#${frame})`}>
               {series.map(({ name, points, dots = false, law }, at) => (
@@ -99,6 +112,7 @@ export function LineChart({ series, x, y, cursor, summary }: Props) {
                 </g>
               ))}
             </g>
+            <LineEnds ends={ends} x={width - margin.right + 8} top={margin.top} bottom={height - margin.bottom} />
           </svg>
         )}
       </div>

@@ -1,10 +1,10 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../../lib/fill_template.ts';
+import type { PowerLaw } from '../../../../lib/fit_power_law.ts';
 import { formatFixed } from '../../../../lib/format.ts';
 import { type SolvingCall, solvingCalls } from '../../../../solver/time_solving.ts';
 import { Formula } from '../../../../views/equations/formula.tsx';
 import { en } from './en.ts';
-import type { PowerLaw } from './fit_exponent.ts';
 import { zh } from './zh.ts';
 
 /** What counting operations predicts for a net of n vertices. */

@@ -1,6 +1,7 @@
 import { proxy } from 'comlink';
 import { useState } from 'preact/hooks';
 import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { fitPowerLaw, type PowerLaw } from '../../../../lib/fit_power_law.ts';
 import { type SolvingCall, type SolvingTime, solvingCalls } from '../../../../solver/time_solving.ts';
 import { LineChart, type Series } from '../../../../views/charts/line_chart.tsx';
 import { Phrase } from '../../../../views/equations/prose.tsx';
@@ -8,7 +9,6 @@ import { Failure } from '../../timing/failure.tsx';
 import { useTimingWorker } from '../../timing/use_timing_worker.ts';
 import { en } from './en.ts';
 import { ExponentTable } from './exponent_table.tsx';
-import { fitExponent, type PowerLaw } from './fit_exponent.ts';
 import { zh } from './zh.ts';
 
 /** Vertices along a side of the net: about twice the vertices each time. */
@@ -62,14 +62,18 @@ export function TimingExperiment() {
 function lawsOf(times: readonly SolvingTime[]): Partial<Record<SolvingCall, PowerLaw>> {
   const laws: Partial<Record<SolvingCall, PowerLaw>> = {};
   for (const call of solvingCalls) {
-    const law = fitExponent(times.filter((time) => time.call === call).slice(-fittedPoints));
+    const law = fitPowerLaw(pointsOf(times.filter((time) => time.call === call)).slice(-fittedPoints));
     if (law) laws[call] = law;
   }
   return laws;
 }
 
 function seriesOf(name: string, times: readonly SolvingTime[], law: PowerLaw | undefined): Series {
-  const series = { name, points: times.map(({ n, milliseconds }): [number, number] => [n, milliseconds]), dots: true };
+  const series = { name, points: pointsOf(times), dots: true };
   if (!law) return series;
-  return { ...series, law: law.points.map(({ n }): [number, number] => [n, law.factor * n ** law.exponent]) };
+  return { ...series, law: law.points.map(([n]): [number, number] => [n, law.factor * n ** law.exponent]) };
+}
+
+function pointsOf(times: readonly SolvingTime[]): [n: number, milliseconds: number][] {
+  return times.map(({ n, milliseconds }) => [n, milliseconds]);
 }

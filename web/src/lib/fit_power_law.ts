@@ -1,22 +1,19 @@
-/** A power law t = c nᵃ, t in ms. */
+/** A power law y = c xᵃ. */
 export interface PowerLaw {
   exponent: number;
   /** c. */
   factor: number;
-  /** What it was fitted to, smallest n first. */
-  points: readonly TimeOfSize[];
+  /** What it was fitted to. */
+  points: readonly Point[];
 }
 
-export interface TimeOfSize {
-  n: number;
-  milliseconds: number;
-}
+type Point = readonly [x: number, y: number];
 
-/** The straight line through (log n, log t) with the least sum of squares. Null for fewer than three points: two always fit. */
-export function fitExponent(points: readonly TimeOfSize[]): PowerLaw | null {
+/** The straight line through (log x, log y) with the least sum of squares. Null for fewer than three points: two always fit. */
+export function fitPowerLaw(points: readonly Point[]): PowerLaw | null {
   if (points.length < 3) return null;
-  const x = points.map(({ n }) => Math.log(n));
-  const y = points.map(({ milliseconds }) => Math.log(milliseconds));
+  const x = points.map(([at]) => Math.log(at));
+  const y = points.map(([, value]) => Math.log(value));
   const meanX = mean(x);
   const meanY = mean(y);
   const exponent =

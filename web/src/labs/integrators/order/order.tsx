@@ -1,0 +1,63 @@
+import { useState } from 'preact/hooks';
+import { inLanguage } from '../../../app/messages/in_language.ts';
+import { Choice } from '../../../lib/choice.tsx';
+import { fillTemplate } from '../../../lib/fill_template.ts';
+import { type Case, cases } from '../../../solver/order_of_accuracy.ts';
+import { Prose } from '../../../views/equations/prose.tsx';
+import { en } from './en.ts';
+import { ErrorFigure } from './error_figure.tsx';
+import { OneSpringEnergy } from './one_spring_energy.tsx';
+import { useExperiment } from './use_experiment.ts';
+import { zh } from './zh.ts';
+import './order.css';
+
+/** One spring by all methods with shorter and shorter time steps: how fast their errors vanish, and what becomes of its energy. */
+export function OrderOfAccuracy() {
+  const words = inLanguage({ en, zh });
+  const { results, failure, running, run } = useExperiment();
+  const [shown, show] = useState<Case>('line');
+  return (
+    <section id="order" class="order" aria-labelledby="order-heading" data-measured={results !== null}>
+      <h3 id="order-heading">{words.heading}</h3>
+      <Prose text={words.intro} />
+      <p class="order-run">
+        <button type="button" disabled={running} onClick={() => void run()}>
+          {results ? words.again : words.run}
+        </button>
+        <span role="status">{running ? words.running : results ? words.done : ''}</span>
+      </p>
+      {failure !== null && (
+        <p class="integrators-failure" role="alert">
+          {fillTemplate(words.failed, { reason: failure })}
+        </p>
+      )}
+      <div class="order-figures">
+        <section aria-labelledby="order-errors-heading">
+          <h4 id="order-errors-heading">{words.errors.heading}</h4>
+          <Choice
+            label={words.cases.label}
+            options={cases.map((name) => [name, words.cases[name]] as const)}
+            chosen={shown}
+            onChoose={show}
+          />
+          <Prose text={words.setting[shown]} />
+          {results ? (
+            <ErrorFigure methods={results.errors[shown]} />
+          ) : (
+            <p class="evidence-empty">{words.errors.empty}</p>
+          )}
+          {results && <Prose text={words.seen[shown]} />}
+        </section>
+        <section aria-labelledby="order-energy-heading">
+          <h4 id="order-energy-heading">{words.energy.heading}</h4>
+          <Prose text={words.energy.text} />
+          {results ? (
+            <OneSpringEnergy energies={results.energies} />
+          ) : (
+            <p class="evidence-empty">{words.energy.empty}</p>
+          )}
+        </section>
+      </div>
+    </section>
+  );
+}
