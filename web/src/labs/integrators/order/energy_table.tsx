@@ -8,7 +8,7 @@ import { Swatch } from './swatch.tsx';
 import { zh } from './zh.ts';
 
 /** Significant digits: enough to see that measured and predicted are the same number. */
-const digits = 5;
+const digits = 4;
 
 /** What every method does to the energy in a time step and in a period: measured beside predicted. */
 export function EnergyTable({ ratios, product }: { ratios: EnergyRatios; product: number }) {

@@ -4,7 +4,6 @@ import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatFixed, formatNumber } from '../../../lib/format.ts';
 import { type EnergyRatios, energyMethods, shownPeriods } from '../../../solver/energy_of_one_spring.ts';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
-import { Phrase } from '../../../views/equations/prose.tsx';
 import { en } from './en.ts';
 import { EnergyTable } from './energy_table.tsx';
 import { firstPlace, products, stabilityLimit } from './products.ts';
@@ -22,9 +21,7 @@ export function OneSpringEnergy({ energies }: { energies: readonly EnergyRatios[
   return (
     <>
       <div class="order-product" style={{ '--limit': limitPlace }}>
-        <label for={slider}>
-          <Phrase text={words.product} />
-        </label>
+        <label for={slider}>{words.product}</label>
         <input
           id={slider}
           type="range"

@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { Choice } from '../../../lib/choice.tsx';
 import { fillTemplate } from '../../../lib/fill_template.ts';
@@ -14,22 +14,20 @@ import './order.css';
 /** One spring by all methods with shorter and shorter time steps: how fast their errors vanish, and what becomes of its energy. */
 export function OrderOfAccuracy() {
   const words = inLanguage({ en, zh });
-  const { results, failure, running, run } = useExperiment();
+  const section = useRef<HTMLElement>(null);
+  const { results, failure, again } = useExperiment(section);
   const [shown, show] = useState<Case>('line');
   return (
-    <section id="order" class="order" aria-labelledby="order-heading" data-measured={results !== null}>
+    <section ref={section} id="order" class="order" aria-labelledby="order-heading" data-measured={results !== null}>
       <h3 id="order-heading">{words.heading}</h3>
       <Prose text={words.intro} />
-      <p class="order-run">
-        <button type="button" disabled={running} onClick={() => void run()}>
-          {results ? words.again : words.run}
-        </button>
-        <span role="status">{running ? words.running : results ? words.done : ''}</span>
-      </p>
       {failure !== null && (
-        <p class="integrators-failure" role="alert">
-          {fillTemplate(words.failed, { reason: failure })}
-        </p>
+        <div role="alert">
+          <p class="integrators-failure">{fillTemplate(words.failed, { reason: failure })}</p>
+          <button type="button" onClick={again}>
+            {words.again}
+          </button>
+        </div>
       )}
       <div class="order-figures">
         <section aria-labelledby="order-errors-heading">
@@ -41,21 +39,14 @@ export function OrderOfAccuracy() {
             onChoose={show}
           />
           <Prose text={words.setting[shown]} />
-          {results ? (
-            <ErrorFigure methods={results.errors[shown]} />
-          ) : (
-            <p class="evidence-empty">{words.errors.empty}</p>
-          )}
+          {results && <ErrorFigure methods={results.errors[shown]} />}
           {results && <Prose text={words.seen[shown]} />}
+          {!results && failure === null && <p class="evidence-empty">{words.running}</p>}
         </section>
         <section aria-labelledby="order-energy-heading">
           <h4 id="order-energy-heading">{words.energy.heading}</h4>
           <Prose text={words.energy.text} />
-          {results ? (
-            <OneSpringEnergy energies={results.energies} />
-          ) : (
-            <p class="evidence-empty">{words.energy.empty}</p>
-          )}
+          {results && <OneSpringEnergy energies={results.energies} />}
         </section>
       </div>
     </section>

@@ -1,4 +1,5 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import type { RefObject } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
 import { inTimingWorker } from '../../../app/in_timing_worker.ts';
 import { t } from '../../../app/messages/index.ts';
 import { Obstacle } from '../../../app/obstacle.ts';
@@ -13,26 +14,40 @@ export interface Results {
 }
 
 /** Everything that is shown, computed at once in a worker of its own: then both cases and all time steps are there to switch between. */
-export function useExperiment() {
+async function measure(stop: AbortSignal): Promise<Results | null> {
+  return inTimingWorker(stop, async (service) => ({
+    errors: { line: await service.orderOfAccuracy('line'), swing: await service.orderOfAccuracy('swing') },
+    energies: await service.energyOfOneSpring(products),
+  }));
+}
+
+/** The results, once the element has come into sight: not everyone scrolls so far. */
+export function useExperiment(element: RefObject<Element | null>) {
   const [results, setResults] = useState<Results | null>(null);
   const [failure, setFailure] = useState<string | null>(null);
-  const [running, setRunning] = useState(false);
-  const stop = useRef(new AbortController());
-  useEffect(() => () => stop.current.abort(), []);
+  const [attempt, setAttempt] = useState(0);
 
-  const run = async () => {
-    setRunning(true);
+  useEffect(() => {
+    const stop = new AbortController();
+    const run = () =>
+      measure(stop.signal).then(setResults, (reason: unknown) =>
+        setFailure(reason instanceof Obstacle ? t(reason.key, reason.params) : String(reason)),
+      );
+    const sight = new IntersectionObserver(([{ isIntersecting }]) => {
+      if (!isIntersecting) return;
+      sight.disconnect();
+      void run();
+    });
+    sight.observe(element.current as Element);
+    return () => {
+      sight.disconnect();
+      stop.abort();
+    };
+  }, [element, attempt]);
+
+  const again = () => {
     setFailure(null);
-    try {
-      const found = await inTimingWorker(stop.current.signal, async (service) => ({
-        errors: { line: await service.orderOfAccuracy('line'), swing: await service.orderOfAccuracy('swing') },
-        energies: await service.energyOfOneSpring(products),
-      }));
-      if (found) setResults(found);
-    } catch (reason) {
-      setFailure(reason instanceof Obstacle ? t(reason.key, reason.params) : String(reason));
-    }
-    setRunning(false);
+    setAttempt(attempt + 1);
   };
-  return { results, failure, running, run };
+  return { results, failure, again };
 }
