@@ -38,6 +38,8 @@ nail would swing for ever. Let the four run and watch their energy, kinetic and 
     seen: raw`All four lose energy although nothing in the model rubs, and **the longer the step, the more of it**. This method takes the forces
 from the end of the step, which always brakes a little. Taking them from its beginning can do the opposite, and that ends worse, as the
 [next section](optimisation) shows.`,
+    order:
+      'By how much a shorter step is better: the order of accuracy of every method, further down in the integrators lab',
     name: 'Δt = {{delta_t}}',
     reading: 't = {{time}}\nenergy {{gained}}',
     energy: raw`Change of energy since the start, J`,

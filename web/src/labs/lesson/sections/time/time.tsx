@@ -1,4 +1,7 @@
+import { encodeLink } from '../../../../app/link.ts';
 import { inLanguage } from '../../../../app/messages/in_language.ts';
+import { integratorsRoute } from '../../../../app/route.ts';
+import { state } from '../../../../app/state.ts';
 import type { Frame } from '../../../../solver/frame.ts';
 import type { Checkpoint } from '../../../../solver/protocol.ts';
 import { Display } from '../../../../views/equations/display.tsx';
@@ -56,6 +59,9 @@ export function Time() {
       <h3>{words.size.title}</h3>
       <Question ask={words.size.ask} hint={words.size.hint} answer={words.size.answer}>
         <FourSteps />
+        <p>
+          <a href={encodeLink(integratorsRoute, state.value)}>{words.size.order}</a>
+        </p>
       </Question>
       <Sources items={words.sources} />
     </InSlices>
