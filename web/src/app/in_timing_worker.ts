@@ -1,5 +1,6 @@
 import { type Remote, wrap } from 'comlink';
 import type { TimingService } from '../solver/timing_worker.ts';
+import { Obstacle } from './obstacle.ts';
 import { fetchSolver } from './start_solver.ts';
 
 /** What a caller does with the worker. */
@@ -12,7 +13,10 @@ export async function inTimingWorker<T>(stop: AbortSignal, task: TimingTask<T>):
   const worker = new Worker(new URL('../solver/timing_worker.ts', import.meta.url), { type: 'module' });
   const stopped = new Promise<null>((resolve) => stop.addEventListener('abort', () => resolve(null)));
   const failed = new Promise<never>((_, reject) => {
-    worker.addEventListener('error', ({ message }) => reject(new Error(message)));
+    // Without a message it is the script that did not come.
+    worker.addEventListener('error', ({ message }) =>
+      reject(message ? new Error(message) : new Obstacle('page.errors.solverStart', { reason: 'timing_worker' })),
+    );
   });
   const service = wrap<TimingService>(worker);
   try {

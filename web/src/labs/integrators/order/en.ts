@@ -34,7 +34,7 @@ export const en = {
     productText: 'Δt·ω = {{product}}',
     limit: 'limit of symplectic Euler: 2',
     stable: '{{steps}} time steps a period.',
-    unstable: '{{steps}} time steps a period: from 2 on symplectic Euler explodes as well.',
+    unstable: '{{steps}} time steps a period: with a Δt·ω of 2 or more symplectic Euler explodes as well.',
     time: 'simulated time, periods',
     ratio: 'energy over that at the start',
     summary:

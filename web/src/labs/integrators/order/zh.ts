@@ -36,7 +36,7 @@ export const zh: Catalogue<typeof en> = {
     productText: 'Δt·ω = {{product}}',
     limit: '辛欧拉法的上限：2',
     stable: '每个周期 {{steps}} 个时间步。',
-    unstable: '每个周期 {{steps}} 个时间步：从 2 开始，辛欧拉法也会发散。',
+    unstable: '每个周期 {{steps}} 个时间步：Δt·ω 达到 2 及以上时，辛欧拉法也会发散。',
     time: '模拟时间，周期',
     ratio: '能量与初始能量之比',
     summary: '五个周期内的能量：前向欧拉法上升，隐式欧拉法下降，辛欧拉法在一定范围内摆动。',
