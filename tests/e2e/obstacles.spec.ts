@@ -59,3 +59,16 @@ test('a solver that crashes is replaced, and the last good state is back', async
   await page.getByRole('button', { name: 'One time step' }).click();
   await expect(status).toContainText(`t = ${step + 1} · iteration 50`);
 });
+
+test('without its worker the order of accuracy says so, and is measured once there is one', async ({ page }) => {
+  const script = /\/timing_worker/;
+  await page.route(script, (route) => route.abort());
+  await page.goto('./#/integrators');
+  await expectReady(page);
+  const order = page.locator('#order');
+  await order.scrollIntoViewIfNeeded();
+  await expect(order.getByRole('alert')).toContainText('timing_worker');
+  await page.unroute(script);
+  await order.getByRole('alert').getByRole('button').click();
+  await expect(order).toHaveAttribute('data-measured', 'true', { timeout: 60_000 });
+});
