@@ -1,4 +1,5 @@
 import type { HalfSteps } from './half_steps.ts';
+import type { IntegratorTimes } from './integrators.ts';
 import type { Bandwidth } from './native_reference.ts';
 import type { Comparison, SceneTimes } from './paired_rounds.ts';
 import type { SameAccuracy } from './same_accuracy.ts';
@@ -11,6 +12,7 @@ export interface Report {
   wasm: { raw: number; gzip: number };
   scenes: (SceneTimes & { scene: string; halfSteps: HalfSteps; sameAccuracy: SameAccuracy })[];
   sizes: SizeSweep;
+  integrators: IntegratorTimes[];
 }
 
 /** Three digits of every measured number. */
@@ -20,7 +22,7 @@ export function rounded(report: Report): Report {
   );
 }
 
-export function printTables({ machine, wasm, scenes, sizes }: Report): void {
+export function printTables({ machine, wasm, scenes, sizes, integrators }: Report): void {
   console.log(`${machine.cpu}, Node ${machine.node}; the module has ${wasm.raw} bytes, ${wasm.gzip} zipped.`);
   const table = (title: string, rows: object[]) => {
     console.log(`\n${title}`);
@@ -68,5 +70,9 @@ export function printTables({ machine, wasm, scenes, sizes }: Report): void {
     sizes.sheets.map((sheet) => times(sheet, sheet.precompute)),
   );
   table('grows as the number of vertices to the power of', [sizes.exponents]);
+  table(
+    'ms a time step by every method, and time steps of linearly implicit Euler a second',
+    integrators.map(({ scene, steps, perSecond }) => ({ scene, ...steps, 'a second': perSecond })),
+  );
   table('reading memory natively: GB/s by the size of the array in MB', machine.bandwidth);
 }

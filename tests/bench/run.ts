@@ -10,6 +10,7 @@ import { openScene } from '../support/open_scene.ts';
 import { sceneFromRule } from '../support/scene_from_rule.ts';
 import { tetrahedralBlock } from '../support/tetrahedral_block.ts';
 import { halfSteps } from './half_steps.ts';
+import { integratorTimes } from './integrators.ts';
 import { buildReference, measureBandwidth } from './native_reference.ts';
 import { pairedRounds } from './paired_rounds.ts';
 import { printTables, type Report, rounded } from './report.ts';
@@ -41,6 +42,9 @@ const report = rounded({
   wasm: { raw: binary.length, gzip: gzipSync(binary, { level: 9 }).length },
   scenes,
   sizes: await sizeSweep(solver),
+  integrators: await Promise.all(
+    ['cloth', 'rabbit', 'rabbit-fine'].map(async (name) => integratorTimes(solver, await openScene(name))),
+  ),
 });
 printTables(report);
 await writeFile(join(import.meta.dirname, 'results.json'), `${JSON.stringify(report, null, 2)}\n`);

@@ -1,7 +1,7 @@
 import type { Scene } from '../../web/src/scene/scene.ts';
 import {
-  type Method,
-  methods,
+  type Minimiser,
+  minimisers,
   type Parameters,
   type Simulation,
   type SolverModule,
@@ -17,7 +17,7 @@ import { succeed } from './succeed.ts';
 
 /** What a method of the fast path takes until E is as low as the native program's iterations bring it. */
 export interface MethodTime {
-  method: Method;
+  method: Minimiser;
   /** The median over the instants. */
   iterations: number;
   /** ms: the sum over the instants, natively and by this method. */
@@ -63,7 +63,7 @@ export function sameAccuracy(solver: SolverModule, scene: Scene): SameAccuracy {
 }
 
 interface Plan {
-  method: Method;
+  method: Minimiser;
   /** Iterations at each instant. */
   needed: number[];
 }
@@ -75,7 +75,7 @@ function planMethods(simulation: Simulation, instants: Instant[], iterations: nu
       return figure(i);
     });
   const targets = atEach(() => decrease(simulation, 'local-global', iterations)); // J
-  return methods
+  return minimisers
     .map((method) => ({ method, needed: atEach((i) => iterationsNeeded(simulation, method, targets[i])) }))
     .filter(({ needed }) => needed.every(Number.isFinite));
 }
