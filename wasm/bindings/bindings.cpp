@@ -133,6 +133,17 @@ val terms_of_Q(const Simulation& simulation) {
   return object;
 }
 
+val terms_of_linearly_implicit(const Simulation& simulation) {
+  const LinearlyImplicitTerms terms = simulation.linearly_implicit_terms();
+  val object = val::object();
+  object.set("K", matrix(terms.K));
+  object.set("D", matrix(terms.D));
+  object.set("P", matrix(terms.P));
+  object.set("system", matrix(terms.system));
+  object.set("constrained", matrix(terms.constrained));
+  return object;
+}
+
 std::vector<int> order(const Simulation& simulation, const std::string& ordering) {
   return ordered_unknowns(named<Ordering>(ordering, ordering_names()), simulation.Q(),
                           simulation.order());
@@ -312,6 +323,15 @@ EMSCRIPTEN_BINDINGS(solver) {
       .function(
           "Q", +[](const S& s) { return matrix(vertices(s), vertices(s), s.Q()); })
       .function("system_matrix_terms", &terms_of_Q)
+      .function(
+          "settled", +[](const S& s) { return lend(s.settled()); })
+      .function("linearly_implicit_terms", &terms_of_linearly_implicit)
+      .function(
+          "spring_stiffness",
+          +[](const S& s, int e) { return copy("Float64Array", s.spring_stiffness(e)); })
+      .function(
+          "spring_resistance",
+          +[](const S& s, int e) { return copy("Float64Array", s.spring_resistance(e)); })
       .function(
           "order",
           +[](const S& s, const std::string& ordering) {

@@ -4,7 +4,7 @@
 
 #include "assemble_forces.h"
 #include "d2V_spring_particle_particle_dq2.h"
-#include "spring_direction.h"
+#include "dashpot_resistance.h"
 #include "velocity_at_start.h"
 
 namespace mass_spring {
@@ -53,8 +53,7 @@ void LinearlyImplicitEuler::fill_in(const TimeStep& step, const Points& q_dot) {
         d2V_spring_particle_particle_dq2(step.p_curr.row(i), step.p_curr.row(j), step.r(e), step.k);
     Eigen::Matrix3d block = delta_t * delta_t * d2V.topLeftCorner<3, 3>();  // kg
     if (step.damping > 0) {
-      const Eigen::Vector3d n = spring_direction(step.p_curr.row(i), step.p_curr.row(j));
-      block += delta_t * step.damping * n * n.transpose();
+      block += delta_t * dashpot_resistance(step.p_curr.row(i), step.p_curr.row(j), step.damping);
     }
     blocks_.add_spring(e, block);
     b.row(i) += q_dot.row(j) * block;

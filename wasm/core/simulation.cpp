@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "checked_state.h"
+#include "d2V_spring_particle_particle_dq2.h"
+#include "dashpot_resistance.h"
 #include "forward_euler.h"
 #include "gradient.h"
 #include "largest_frequency.h"
@@ -423,6 +425,26 @@ Status Simulation::check_positions(const Points& p) const {
 double Simulation::stiffness_number() const {
   const TimeStep& step = state_.time_step;
   return has_scene() ? stiffness_numbers(step.E, step.k, step.m, step.delta_t).maxCoeff() : 0;
+}
+
+LinearlyImplicitTerms Simulation::linearly_implicit_terms() const {
+  return mass_spring::linearly_implicit_terms(state_.time_step, settled());
+}
+
+Eigen::Matrix3d Simulation::spring_stiffness(int e) const {
+  if (!has_spring(e)) return Eigen::Matrix3d::Constant(nan);
+  const TimeStep& step = state_.time_step;
+  const Points& q = settled();
+  return d2V_spring_particle_particle_dq2(q.row(step.E(e, 0)), q.row(step.E(e, 1)), step.r(e),
+                                          step.k)
+      .topLeftCorner<3, 3>();
+}
+
+Eigen::Matrix3d Simulation::spring_resistance(int e) const {
+  if (!has_spring(e)) return Eigen::Matrix3d::Constant(nan);
+  const TimeStep& step = state_.time_step;
+  const Points& q = settled();
+  return dashpot_resistance(q.row(step.E(e, 0)), q.row(step.E(e, 1)), step.damping);
 }
 
 Triplets Simulation::Q() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "history.h"
+#include "linearly_implicit_terms.h"
 #include "mechanical_energy.h"
 #include "minimiser.h"
 #include "objective.h"
@@ -90,6 +91,14 @@ class Simulation {
   Triplets M() const { return system_.M(); }
   Triplets C() const { return system_.C(); }
   Triplets Q() const;
+  /// Of linearly implicit Euler, at the settled positions.
+  LinearlyImplicitTerms linearly_implicit_terms() const;
+  /// #V by 3, m: where the last time step that is over left them; at accept p, elsewhere p^t.
+  const Points& settled() const;
+  /// H_e of spring e at the settled positions, N/m, and what its dashpot is there, N s/m;
+  /// not-a-numbers where there is no spring e.
+  Eigen::Matrix3d spring_stiffness(int e) const;
+  Eigen::Matrix3d spring_resistance(int e) const;
   /// Which unknown of Q p = b, a vertex, the solver eliminates first, second, …
   std::vector<int> order() const { return system_.order(); }
 
@@ -100,7 +109,7 @@ class Simulation {
   int iterations() const { return outcome_ ? outcome_->iterations : most_iterations(); }
   int most_iterations() const;
   StoppingRule stopping_rule() const;
-  const Points& settled() const;
+  bool has_spring(int e) const { return 0 <= e && e < state_.time_step.E.rows(); }
   Points settled_previous() const;
   Status check_positions(const Points& p) const;
   bool minimises() const;

@@ -18,6 +18,7 @@
 #include "hessian.h"
 #include "largest_frequency.h"
 #include "linearly_implicit_euler.h"
+#include "linearly_implicit_terms.h"
 #include "mass_matrix_particles.h"
 #include "matrix_from_triplets.h"
 #include "mechanical_energy.h"
@@ -217,6 +218,8 @@ TEST_CASE("its matrix is P (M - Δt D - Δt² K) Pᵀ") {
   const SparseMatrix P = matrix(51, 60, fixed_point_constraints(20, step.pinned));
   const SparseMatrix by_hessian = step.delta_t * step.delta_t * (P * H * P.transpose());
   CHECK(SparseMatrix(integrator.matrix() - by_hessian).norm() < 1e-14 * by_hessian.norm());
+  const SparseMatrix by_terms = linearly_implicit_terms(step, step.p_curr).constrained;
+  CHECK(SparseMatrix(integrator.matrix() - by_terms).norm() < 1e-14 * by_terms.norm());
 }
 
 TEST_CASE("at rest everything stays at rest") {

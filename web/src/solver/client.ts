@@ -1,5 +1,12 @@
 import { wrap } from 'comlink';
-import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type {
+  Elimination,
+  EliminationStep,
+  EliminationStepRequest,
+  LinearlyImplicitMatrices,
+  Matrices,
+  StorageComparison,
+} from './matrices.ts';
 import type { Ordering } from './module.ts';
 import type {
   Checkpoint,
@@ -90,6 +97,10 @@ export class SolverClient {
   /** What the matrix room shows of the open problem; each leaves the solver where it stands. Throws SolverCrash or SolverCancelled. */
   matrices(): Promise<Matrices> {
     return this.guarded((service) => service.matrices());
+  }
+
+  linearlyImplicit(): Promise<LinearlyImplicitMatrices> {
+    return this.guarded((service) => service.linearlyImplicit());
   }
 
   elimination(ordering: Ordering): Promise<Elimination> {

@@ -24,6 +24,23 @@ export interface Matrices {
   unknowns: Int32Array;
 }
 
+/** Of linearly implicit Euler at the settled positions: other positions, other matrices. Coordinate c of vertex i is row 3i + c. */
+export interface LinearlyImplicitMatrices {
+  /** #V×3, m: the settled positions. */
+  q: Float64Array;
+  /** ∂f/∂q, N/m. */
+  K: Triplets;
+  /** Selects the coordinates of the vertices that are not pinned, in their order. */
+  P: Triplets;
+  /** M − Δt D − Δt² K and P (M − Δt D − Δt² K) Pᵀ, kg; D only where there is damping. */
+  system: Triplets;
+  constrained: Triplets;
+  /** #E×9, N/m: H_e of every spring. */
+  stiffness: Float64Array;
+  /** #E×9, N·s/m: C nnᵀ of every dashpot; null without damping. */
+  resistance: Float64Array | null;
+}
+
 /** Which order of elimination, and of which system; answered for the matrix of `Matrices.unknowns`, so that all orders are of one matrix. */
 export interface Elimination {
   ordering: Ordering;

@@ -247,6 +247,22 @@ export interface Simulation {
   Q(): Triplets;
   /** AᵀA and the three terms of Q: kAᵀA, M/Δt², wCᵀC. */
   system_matrix_terms(): { AtA: Triplets; springs: Triplets; masses: Triplets; pins: Triplets };
+  /**
+   * The matrix of linearly implicit Euler at the settled positions (at accept p, elsewhere p^t), and what it is made of. Coordinate c of vertex i
+   * is row 3i + c. K: ∂f/∂q, N/m. D: ∂f/∂q̇, N·s/m, no entries without damping. P: selects the coordinates of the vertices that are not
+   * pinned, in their order. system: M − Δt D − Δt² K, kg. constrained: P (M − Δt D − Δt² K) Pᵀ, kg. Entries that the pattern has are listed
+   * also where they happen to be 0.
+   */
+  linearly_implicit_terms(): { K: Triplets; D: Triplets; P: Triplets; system: Triplets; constrained: Triplets };
+  /** #V×3, m: the settled positions. */
+  settled(): Float64Array;
+  /**
+   * 3×3, N/m, a copy: H_e = k [nnᵀ + (1 − l⁰/l)(I − nnᵀ)] of spring e at the settled positions. K is the sum of −H_e at (i, i) and (j, j) and of
+   * +H_e at (i, j) and (j, i). Not-a-numbers where there is no spring e.
+   */
+  spring_stiffness(e: number): Float64Array;
+  /** 3×3, N·s/m, a copy: C nnᵀ of its dashpot, of which D is made likewise. */
+  spring_resistance(e: number): Float64Array;
   /** #unknowns: in that order, the vertices whose rows of Q p = b are factorised; on the fast path pinned ones are not among them. */
   order(ordering: Ordering): Int32Array;
   /** Of Q with these rows and columns, in this order. Whoever asked deletes it. */

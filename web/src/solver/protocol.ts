@@ -1,5 +1,12 @@
 import type { Frame, VertexEquation } from './frame.ts';
-import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type {
+  Elimination,
+  EliminationStep,
+  EliminationStepRequest,
+  LinearlyImplicitMatrices,
+  Matrices,
+  StorageComparison,
+} from './matrices.ts';
 import type { Minimiser, Ordering, Parameters, Stage, Status, Triplets } from './module.ts';
 
 /** What the solver needs of a scene. */
@@ -155,6 +162,7 @@ export interface SolverService {
   inspect(points: readonly Float64Array[]): Promise<Inspection>;
   /** These four look at the open problem and leave the solver where it stands. */
   matrices(): Promise<Matrices>;
+  linearlyImplicit(): Promise<LinearlyImplicitMatrices>;
   elimination(ordering: Ordering): Promise<Elimination>;
   eliminationStep(request: EliminationStepRequest): Promise<Outcome<EliminationStep>>;
   compareStorage(): Promise<StorageComparison>;

@@ -2,7 +2,14 @@ import { compareMethod } from './compare_method.ts';
 import { compareStorage } from './compare_storage.ts';
 import { readElimination, readEliminationStep } from './eliminations.ts';
 import type { Frame } from './frame.ts';
-import type { Elimination, EliminationStep, EliminationStepRequest, Matrices, StorageComparison } from './matrices.ts';
+import type {
+  Elimination,
+  EliminationStep,
+  EliminationStepRequest,
+  LinearlyImplicitMatrices,
+  Matrices,
+  StorageComparison,
+} from './matrices.ts';
 import { measureIteration } from './measure_iteration.ts';
 import type { Ordering, Simulation, SolverModule, Status } from './module.ts';
 import type {
@@ -19,6 +26,7 @@ import type {
   Request,
 } from './protocol.ts';
 import { readFrame } from './read_frame.ts';
+import { readLinearlyImplicit } from './read_linearly_implicit.ts';
 import { readMatrices } from './read_matrices.ts';
 
 const ok: Status = { code: 'ok', field: '', index: -1, value: 0, limit: 0 };
@@ -77,6 +85,10 @@ export class SolverSession {
 
   matrices(): Matrices {
     return readMatrices(this.simulation);
+  }
+
+  linearlyImplicit(): LinearlyImplicitMatrices {
+    return readLinearlyImplicit(this.simulation);
   }
 
   elimination(ordering: Ordering): Elimination {

@@ -64,6 +64,9 @@ const service: SolverService = {
   async matrices() {
     return give(theSession().matrices());
   },
+  async linearlyImplicit() {
+    return give(theSession().linearlyImplicit());
+  },
   async elimination(ordering: Ordering) {
     return give(theSession().elimination(ordering));
   },
