@@ -5,6 +5,7 @@ import {
   eliminationRefusal,
   eliminationStep,
   eliminations,
+  linearlyImplicit,
   linearSystem,
   type MatrixAnswer,
   matrices,
@@ -14,8 +15,9 @@ import {
   storageComparison,
 } from '../../../web/src/app/matrices.ts';
 import { route, springsRoute } from '../../../web/src/app/route.ts';
-import { defaultState, state } from '../../../web/src/app/state.ts';
+import { defaultState, frame, state } from '../../../web/src/app/state.ts';
 import type { SolverClient } from '../../../web/src/solver/client.ts';
+import type { Frame } from '../../../web/src/solver/frame.ts';
 import type { EliminationStepRequest } from '../../../web/src/solver/matrices.ts';
 import type { Ordering } from '../../../web/src/solver/module.ts';
 
@@ -33,6 +35,7 @@ const client = {
   eliminationStep: async ({ ordering, columns }: EliminationStepRequest) =>
     columns > 2 ? { ok: false, status: { code: 'index_out_of_range' } } : { ok: true, value: { ordering, columns } },
   compareStorage: async () => ({ n: 2 }),
+  linearlyImplicit: async () => ({ K: 'K' }),
 } as unknown as SolverClient;
 
 /** Answers whatever is missing; what that was. */
@@ -54,7 +57,7 @@ beforeEach(() => {
 
 describe('the matrix room', () => {
   it('asks for nothing while it is closed', () => {
-    matrixWishes.value = { orderings: ['natural'], step: null, storage: true };
+    matrixWishes.value = { ...noWishes, orderings: ['natural'], storage: true };
     route.value = springsRoute;
     expect(missingMatrices.value).toBeNull();
     route.value = { page: 'springs', room: 'convergence' };
@@ -68,8 +71,9 @@ describe('the matrix room', () => {
       orderings: ['solver', 'natural'],
       step: { ordering: 'natural', columns: 1 },
       storage: true,
+      linearlyImplicit: true,
     };
-    expect(await answerAll()).toEqual(['step', 'natural', 'solver', 'storage']);
+    expect(await answerAll()).toEqual(['step', 'natural', 'solver', 'linearly-implicit', 'storage']);
     expect(eliminations.value).toEqual({ natural: { ordering: 'natural' }, solver: { ordering: 'solver' } });
     expect(storageComparison.value).toEqual({ n: 2 });
   });
@@ -105,6 +109,26 @@ describe('the matrix room', () => {
     expect(await answerAll()).toEqual(['matrices']);
     state.value = { ...state.value, pins: [{ vertex: 0, target: [0, 1, 0] }] };
     expect(missingMatrices.value).toBeNull();
+  });
+
+  it('asks for the matrices of linearly implicit Euler wherever the vertices have settled, and keeps the last ones until then', async () => {
+    matrixWishes.value = { ...noWishes, linearlyImplicit: true };
+    const at = (step: number, phase: Frame['phase']) => {
+      frame.value = { step, phase } as Frame; // all that is read of it
+    };
+    at(3, 'predict');
+    expect(await answerAll()).toEqual(['matrices', 'linearly-implicit']);
+    at(3, 'global');
+    at(2, 'accept'); // where time step 3 begins
+    expect(missingMatrices.value).toBeNull();
+    at(3, 'accept');
+    expect(linearlyImplicit.value).toEqual({ K: 'K' });
+    expect(await answerAll()).toEqual(['linearly-implicit']);
+    setParameters({ ...state.value.parameters, wind: true });
+    expect(missingMatrices.value).toBeNull(); // what is accepted stays where it is
+    setParameters({ ...state.value.parameters, k: 79 });
+    expect(linearlyImplicit.value).toBeNull();
+    frame.value = null;
   });
 
   it('forgets what comes too late', async () => {

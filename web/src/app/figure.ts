@@ -24,6 +24,10 @@ export function countAlong(axis: Axis, { scene, frame }: Figure): number {
       return scene.value.m.length;
     case '#pinned':
       return frame.value?.pinned.length ?? 0;
+    case '3#V':
+      return 3 * scene.value.m.length;
+    case '3#free':
+      return 3 * (scene.value.m.length - (frame.value?.pinned.length ?? 0));
     default:
       return Number(axis);
   }

@@ -29,10 +29,25 @@ function headsAlong(axis: Axis, figure: Figure): Head[] {
 /** Of one row or column along an axis, counted from 0. */
 export function headAt(axis: Axis, at: number, figure: Figure): Head {
   const thing = thingAlong(axis);
+  if (axis === '3#V' || axis === '3#free') return coordinateHead(axis, at, figure);
   const pinned = axis === '#pinned' ? figure.frame.value?.pinned : undefined;
   const index = pinned ? pinned[at] : at;
   const short = letters[axis]?.[at] ?? String(index);
   return { thing, index, short, name: thing ? t(`matrices.${thing}`, { index }) : short };
+}
+
+/** Three rows for each vertex, of all or of those that are free. */
+function coordinateHead(axis: '3#V' | '3#free', at: number, figure: Figure): Head {
+  const pinned = axis === '3#free' ? (figure.frame.value?.pinned.slice().sort() ?? []) : [];
+  let index = Math.floor(at / 3);
+  for (const pin of pinned) if (pin <= index) index++;
+  const coordinate = 'xyz'[at % 3];
+  return {
+    thing: 'vertex',
+    index,
+    short: `${index}${coordinate}`,
+    name: t('matrices.coordinate', { index, coordinate }),
+  };
 }
 
 export function thingsOf({ thing, index }: Head): Selection {

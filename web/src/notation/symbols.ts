@@ -5,8 +5,8 @@ import type { SectionId } from './sections.ts';
 /** Custom properties of colours.css. The seven symbols that meet in the two equations have a colour each, the rest share one. */
 export type ColourToken = `--symbol-${'p' | 'd' | 'r' | 'k' | 'Q' | 'b' | 'y' | 'other'}`;
 
-/** What rows or columns are counted by: springs, vertices, pins, a spring's two ends, or x, y and z. */
-export type Axis = '#E' | '#V' | '#pinned' | '2' | '3';
+/** What rows or columns are counted by: springs, vertices, pins, a spring's two ends, x, y and z, or those of all vertices or of all but the pins. */
+export type Axis = '#E' | '#V' | '#pinned' | '2' | '3' | '3#V' | '3#free';
 
 export interface NotationSymbol {
   tex: string;
@@ -164,6 +164,23 @@ export const symbols = {
     section: 'solving',
     definition: raw`\symP\symQ\symP^{\mathrm T} = \symL\symL^{\mathrm T}`,
   },
+  K: {
+    tex: raw`\mathbf{K}`,
+    code: 'K',
+    shape: ['3#V', '3#V'],
+    unit: 'N/m',
+    colour: '--symbol-other',
+    section: 'energy',
+    definition: raw`\symK = -\,\partial^2\sympotential / \partial\symp^2`,
+  },
+  Phat: {
+    tex: raw`\hat{\mathbf{P}}`,
+    code: 'fixed_point_constraints',
+    shape: ['3#free', '3#V'],
+    unit: null,
+    colour: '--symbol-other',
+    section: 'pins',
+  },
   fExt: {
     tex: raw`\mathbf{f}^{\mathrm{ext}}`,
     code: 'f_ext',
@@ -276,6 +293,8 @@ const counted: Record<Axis, Thing | null> = {
   '#pinned': 'vertex',
   '2': null,
   '3': null,
+  '3#V': 'vertex',
+  '3#free': 'vertex',
 };
 
 /** What each row or column along an axis belongs to, if to any one thing. */

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { roomMatrices } from '../../../../../web/src/labs/springs/matrices/room_matrices.ts';
 import { readElimination } from '../../../../../web/src/solver/eliminations.ts';
 import type { Triplets } from '../../../../../web/src/solver/module.ts';
+import { readLinearlyImplicit } from '../../../../../web/src/solver/read_linearly_implicit.ts';
 import { readMatrices } from '../../../../../web/src/solver/read_matrices.ts';
 import { entryAt } from '../../../../../web/src/views/sparsity/pattern.ts';
 import type { SparsityModel } from '../../../../../web/src/views/sparsity/sparsity_view.tsx';
@@ -15,10 +16,11 @@ function opened() {
   const simulation = openSimulation(scene, { ...usualParameters, path: 'fast' });
   const matrices = readMatrices(simulation);
   const elimination = readElimination(simulation, 'solver');
+  const implicit = readLinearlyImplicit(simulation);
   const { E, m, pinned } = scene;
-  const models = roomMatrices(matrices, elimination, { E, vertexCount: m.length, pinned });
+  const models = roomMatrices(matrices, elimination, implicit, { E, vertexCount: m.length, pinned });
   const model = (name: keyof typeof models) => models[name] as SparsityModel;
-  return { matrices, elimination, model };
+  return { matrices, elimination, implicit, model };
 }
 
 function expectSame({ pattern }: SparsityModel, { rows, columns, i, j, value }: Triplets) {
@@ -29,9 +31,12 @@ function expectSame({ pattern }: SparsityModel, { rows, columns, i, j, value }: 
 }
 
 it('shows the solver’s own numbers', () => {
-  const { matrices, elimination, model } = opened();
+  const { matrices, elimination, implicit, model } = opened();
   for (const name of ['A', 'M', 'C', 'AtA', 'Q'] as const) expectSame(model(name), matrices[name]);
   expectSame(model('L'), elimination.factor as Triplets);
+  expectSame(model('K'), implicit.K);
+  expectSame(model('implicit'), implicit.system);
+  expectSame(model('Phat'), implicit.P);
 });
 
 describe('links', () => {
@@ -65,6 +70,30 @@ describe('links', () => {
     expect(model('L').thingsAt({ row: 3, column: 3 })).toEqual({ spring: null, vertex });
     expect(model('L').marksOf({ spring: null, vertex })).toEqual({ rows: [3], columns: [3], places: [] });
     expect(model('P').marksOf({ spring: null, vertex })).toEqual({ rows: [3], columns: [vertex], places: [] });
+  });
+
+  it('rows 3i, 3i + 1 and 3i + 2 of K with x, y and z of vertex i, blocks beside the diagonal with the spring between', () => {
+    const { model } = opened();
+    const K = model('K');
+    const [spring, i, j] = [7, scene.E[14], scene.E[15]];
+    expect(K.thingsAt({ row: 3 * j + 2, column: 3 * i })).toEqual({ spring, vertex: null });
+    expect(K.thingsAt({ row: 3 * i, column: 3 * i + 1 })).toEqual({ spring: null, vertex: i });
+    expect(K.marksOf({ spring: null, vertex: i }).rows).toEqual([3 * i, 3 * i + 1, 3 * i + 2]);
+    const { places } = K.marksOf({ spring, vertex: null });
+    expect(places).toHaveLength(36);
+    expect(places).toContainEqual({ row: 3 * j + 2, column: 3 * i + 1 });
+    expect(K.head('row', 3 * i + 1)).toBe(`${i}y`);
+    expect(K.describe({ row: 3 * i + 1, column: 3 * i })).toContain(`row ${3 * i + 1} (vertex ${i}, y)`);
+    expect(model('implicit').describe({ row: 1, column: 1 })).toMatch(/kg$/);
+  });
+
+  it('rows of P̂ with the coordinates of free vertices, none of a pinned one', () => {
+    const { model } = opened();
+    const P = model('Phat'); // vertex 0 is pinned: row 0 is x of vertex 1
+    expect(P.thingsAt({ row: 0, column: 3 })).toEqual({ spring: null, vertex: 1 });
+    expect(P.marksOf({ spring: null, vertex: 1 })).toEqual({ rows: [0, 1, 2], columns: [3, 4, 5], places: [] });
+    expect(P.marksOf({ spring: null, vertex: 0 })).toEqual({ rows: [], columns: [0, 1, 2], places: [] });
+    expect(P.describe({ row: 1, column: 4 })).toBe('row 1 (vertex 1, y), column 4 (vertex 1, y): +1');
   });
 
   it('a pinned vertex with nothing in L, which has no row for it', () => {

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import type { Actions } from '../../../app/actions.ts';
-import { eliminations, matrixWishes, noWishes } from '../../../app/matrices.ts';
+import { eliminations, linearlyImplicit, matrixWishes, noWishes } from '../../../app/matrices.ts';
 import { t } from '../../../app/messages/index.ts';
 import { labFigure } from '../../../app/state.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
@@ -27,6 +27,9 @@ const formulas: Record<MatrixName, string> = {
   Q: raw`\symQ`,
   L: raw`\symL`,
   P: raw`\symP`,
+  K: raw`\symK`,
+  implicit: raw`\symM - \symdeltaT^2\symK`,
+  Phat: raw`\symPhat`,
 };
 
 const chosen = signal<MatrixName>('A');
@@ -36,9 +39,13 @@ export function AllMatrices({ matrices, actions }: { matrices: Matrices; actions
   const words = roomWords().all;
   const numbered = numbering.value;
   const elimination = eliminations.value.solver ?? null;
-  const models = useMemo(() => roomMatrices(matrices, elimination, numbered), [matrices, elimination, numbered]);
+  const implicit = linearlyImplicit.value;
+  const models = useMemo(
+    () => roomMatrices(matrices, elimination, implicit, numbered),
+    [matrices, elimination, implicit, numbered],
+  );
   useEffect(() => {
-    matrixWishes.value = { ...noWishes, orderings: ['solver'] };
+    matrixWishes.value = { ...noWishes, orderings: ['solver'], linearlyImplicit: true };
   }, []);
   const name = chosen.value;
   const model = models[name];
@@ -64,7 +71,7 @@ export function AllMatrices({ matrices, actions }: { matrices: Matrices; actions
       <div class="beside-matrix">
         <p>
           <strong class="matrix-name">{nameOf(name)}.</strong>{' '}
-          {name === 'AtA' ? words.AtA.meaning : t(`symbols.meaning.${name}`)}
+          {name === 'AtA' || name === 'implicit' ? words[name].meaning : t(`symbols.meaning.${name}`)}
         </p>
         <KindLegend
           kinds={
@@ -73,7 +80,7 @@ export function AllMatrices({ matrices, actions }: { matrices: Matrices; actions
                   { colours: ['--symbol-Q'], name: words.entry },
                   { colours: ['--symbol-d'], name: words.fill },
                 ]
-              : name === 'A' || name === 'AtA' || name === 'Q'
+              : ['A', 'AtA', 'Q', 'K', 'implicit'].includes(name)
                 ? [
                     { colours: ['--symbol-Q'], name: words.signs.positive },
                     { colours: ['--sparsity-negative'], name: words.signs.negative },
@@ -96,7 +103,7 @@ export function AllMatrices({ matrices, actions }: { matrices: Matrices; actions
 }
 
 function nameOf(name: MatrixName): string {
-  return name === 'AtA' ? roomWords().all.AtA.name : t(`symbols.name.${name}`);
+  return name === 'AtA' || name === 'implicit' ? roomWords().all[name].name : t(`symbols.name.${name}`);
 }
 
 function factsOf(
@@ -108,7 +115,7 @@ function factsOf(
   const words = roomWords().all;
   const model = models[name];
   if (!model)
-    return elimination
+    return name === 'L' && elimination
       ? fillTemplate(words.tooLarge, {
           flops: formatNumber(elimination.flops),
           count: grouped(elimination.nonzeros),
@@ -116,13 +123,15 @@ function factsOf(
       : roomWords().waiting;
   const { rows, columns, value } = model.pattern;
   const all = rows * columns;
+  const count = value.reduce((sum, entry) => sum + (entry === 0 ? 0 : 1), 0);
   const size = fillTemplate(words.size, {
     rows: grouped(rows),
     columns: grouped(columns),
-    count: grouped(value.length),
+    count: grouped(count),
     all: grouped(all),
-    share: formatQuantity(all === 0 ? 0 : (100 * value.length) / all, '%', 2),
+    share: formatQuantity(all === 0 ? 0 : (100 * count) / all, '%', 2),
   });
+  if (name === 'K' || name === 'implicit') return `${size} ${words.coordinates}`;
   const ofFree = (name === 'L' || name === 'P') && unknowns.length < Q.rows;
   return ofFree ? `${size} ${fillTemplate(words.free, { count: unknowns.length })}` : size;
 }

@@ -4,6 +4,7 @@ const { raw } = String;
 export const en = {
   title: 'Matrices',
   lesson: 'In the lesson:',
+  integrators: 'Compare it with the other integrators',
   net: {
     label: 'The net. Drag to turn it, click a spring or vertex to find its row and column.',
     spring: 'spring {{e}}: vertex {{j}} to vertex {{i}}',
@@ -20,12 +21,14 @@ export const en = {
     elimination: 'Elimination',
     ledger: 'When to factorise',
     storage: 'Dense or sparse',
+    implicit: 'Linearly implicit, spring by spring',
   },
   entry: {
     place: 'row {{row}} ({{rowThing}}), column {{column}} ({{columnThing}}): {{value}}',
     spring: 'spring {{index}}',
     vertex: 'vertex {{index}}',
     pin: 'pin at vertex {{index}}',
+    coordinate: 'vertex {{index}}, {{coordinate}}',
     joint: ' · ',
     fill: 'fill-in: no spring asks for it',
   },
@@ -36,6 +39,13 @@ export const en = {
       meaning:
         'On the diagonal, how many springs a vertex has; −1 wherever a spring joins two vertices. Every row adds up to zero.',
     },
+    implicit: {
+      name: 'matrix of linearly implicit Euler',
+      meaning:
+        'What linearly implicit Euler solves with instead of Q: masses and stiffness together. Where there is damping, −Δt D, of the same pattern, is in it too.',
+    },
+    coordinates:
+      'Three rows for each vertex: row 3i is x of vertex i, row 3i + 1 is y, row 3i + 2 is z. Taken where the last time step ended.',
     size: '{{rows}} × {{columns}}, {{count}} of {{all}} entries are not zero ({{share}}).',
     free: 'L and P have rows for the {{count}} vertices that are not pinned: this solver holds pins exactly, so they are no unknowns.',
     tooLarge: 'L would take {{flops}} operations here. It has {{count}} entries; they are counted, not computed.',
@@ -175,5 +185,44 @@ export const en = {
         'With more than {{largest}} unknowns dense is not tried; its times here are extrapolated from square nets: n² to solve, n³ to factorise.',
     },
     failed: 'Nothing could be timed. {{reason}}',
+  },
+  implicit: {
+    text: raw`Linearly implicit Euler does not iterate. It replaces the springs' forces by their tangent at the present positions and solves once, $(\symM - \symdeltaT^2\symK)\,\symvelocity^{t+\Delta t} = \symM\symvelocity^{t} + \symdeltaT\,\symf$. Every spring adds one 3 × 3 block to $\symK$, four times.`,
+    matrix: 'Which matrix',
+    stages: { K: 'springs', system: 'with masses', constrained: 'free vertices only' },
+    label: {
+      K: 'K with {{count}} of {{all}} springs',
+      system: 'M − Δt²K with {{count}} of {{all}} springs',
+      constrained: 'M − Δt²K with {{count}} of {{all}} springs, without rows and columns of pinned vertices',
+    },
+    kinds: {
+      positive: 'above zero',
+      negative: 'below zero',
+      zero: 'stored, but 0',
+      latest: 'this spring’s four blocks',
+    },
+    steps: 'Springs added',
+    none: 'No spring is added yet. Step on.',
+    noneWithMasses: 'No spring is added yet: only the masses stand on the diagonal.',
+    spring: 'Spring {{e}}, vertex {{i}} to vertex {{j}}',
+    block: 'The block of spring {{e}}, in {{unit}}',
+    lengths: 'l = {{l}}, r = {{r}}, n = {{n}}',
+    places: {
+      K: raw`$-\mathbf{H}_e$ goes to ({{i}}, {{i}}) and ({{j}}, {{j}}), $+\mathbf{H}_e$ to ({{i}}, {{j}}) and ({{j}}, {{i}}).`,
+      system: raw`$+\symdeltaT^2\mathbf{H}_e$ goes to ({{i}}, {{i}}) and ({{j}}, {{j}}), $-\symdeltaT^2\mathbf{H}_e$ to ({{i}}, {{j}}) and ({{j}}, {{i}}).`,
+      onePinned: 'Vertex {{pin}} is pinned: only the block at ({{free}}, {{free}}) is left.',
+      bothPinned: 'Both ends are pinned: nothing of this spring is left.',
+    },
+    damping: raw`With damping every block also carries $\symdeltaT\,c\,\mathbf{n}\mathbf{n}^{\mathrm T}$.`,
+    compressed:
+      '**Compressed:** 1 − r/l = {{across}} is below zero. Across the spring the block has the stiffness {{stiffness}}, twice: it is indefinite. Enough such springs, or a long time step, and M no longer outweighs them.',
+    stretched:
+      'Along the spring the stiffness is k, across it k (1 − r/l) = {{stiffness}}: never below zero while the spring is not compressed.',
+    collapsed: 'Both ends are at the same place: across the spring 1 − r/l would be infinite, so only k nnᵀ is added.',
+    complete: 'All springs are added: this is the matrix in the solver.',
+    compare: {
+      title: 'Beside Q',
+      text: raw`$\symQ$ holds **{{q}}** numbers here, one for each pair of joined vertices; $\symM - \symdeltaT^2\symK$ has a 3 × 3 block for each: **{{system}}** numbers, {{ratio}} times as many, of which {{free}} are left once pinned vertices are taken out. And they change with the positions: this matrix is factorised **in every time step**, $\symQ$ **once**.`,
+    },
   },
 };

@@ -5,11 +5,13 @@ import { encodeLink } from '../../../app/link.ts';
 import { matrices, matrixWishes, noWishes } from '../../../app/matrices.ts';
 import { t } from '../../../app/messages/index.ts';
 import { holds } from '../../../app/pointing.ts';
+import { integratorsRoute } from '../../../app/route.ts';
 import { labFigure, playing, state } from '../../../app/state.ts';
 import type { SectionId } from '../../../notation/sections.ts';
 import { Transport } from '../../../views/transport/transport.tsx';
 import { AllMatrices } from './all_matrices.tsx';
 import { EliminationStation } from './elimination_station.tsx';
+import { ImplicitStation } from './implicit_station.tsx';
 import { Ledger } from './ledger.tsx';
 import './matrix_room.css';
 import { NetPicture } from './net_picture.tsx';
@@ -18,7 +20,7 @@ import { Storage } from './storage.tsx';
 import { Tabs } from './tabs.tsx';
 import { Terms } from './terms.tsx';
 
-const stations = ['all', 'terms', 'elimination', 'ledger', 'storage'] as const;
+const stations = ['all', 'terms', 'elimination', 'ledger', 'storage', 'implicit'] as const;
 type Station = (typeof stations)[number];
 
 /** What the lesson says about it. */
@@ -28,6 +30,7 @@ const lessons: Record<Station, readonly SectionId[]> = {
   elimination: ['solving', 'sparse'],
   ledger: ['solving', 'pins'],
   storage: ['solving', 'sparse'],
+  implicit: ['time', 'energy', 'matrices'],
 };
 
 /** While the page is open a reader who comes back finds the station that was left. */
@@ -58,7 +61,7 @@ export function MatrixRoom({ actions }: { actions: Actions }) {
           }}
         >
           {station.value === 'ledger' ? <Ledger /> : <OfMatrices station={station.value} actions={actions} />}
-          <LessonLinks sections={lessons[station.value]} />
+          <Links station={station.value} />
         </Tabs>
       </div>
       <Transport actions={actions} />
@@ -66,15 +69,17 @@ export function MatrixRoom({ actions }: { actions: Actions }) {
   );
 }
 
-function LessonLinks({ sections }: { sections: readonly SectionId[] }) {
+/** To the lesson, and from the other integrators' matrix to their lab. */
+function Links({ station: shown }: { station: Station }) {
   return (
     <p class="lesson-links">
       {roomWords().lesson}
-      {sections.map((section) => (
+      {lessons[shown].map((section) => (
         <a key={section} href={encodeLink({ page: 'lesson', section }, state.value)}>
           {t(`symbols.section.${section}`)}
         </a>
       ))}
+      {shown === 'implicit' && <a href={encodeLink(integratorsRoute, state.value)}>{roomWords().integrators}</a>}
     </p>
   );
 }
@@ -93,5 +98,7 @@ function OfMatrices({ station: shown, actions }: { station: Exclude<Station, 'le
       return <EliminationStation matrices={read} actions={actions} />;
     case 'storage':
       return <Storage />;
+    case 'implicit':
+      return <ImplicitStation matrices={read} actions={actions} />;
   }
 }

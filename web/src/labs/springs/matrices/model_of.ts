@@ -8,7 +8,7 @@ import type { Triplets } from '../../../solver/module.ts';
 import { entryAt, type Pattern, type Place, patternOf } from '../../../views/sparsity/pattern.ts';
 import type { SparsityModel } from '../../../views/sparsity/sparsity_view.tsx';
 import type { Marks } from '../../../views/sparsity/types.ts';
-import type { MatrixAxis } from './axes.ts';
+import { coordinateAt, type MatrixAxis } from './axes.ts';
 import { roomWords } from './room_words.ts';
 
 export interface MatrixMeaning {
@@ -45,13 +45,12 @@ export function modelOf(meaning: MatrixMeaning): SparsityModel {
   };
 
   const marksOf = ({ spring, vertex }: Selection): Marks => {
-    const position = (axis: MatrixAxis, thing: MatrixAxis['thing'], index: number | null) => {
-      const at = index === null || axis.thing !== thing ? -1 : axis.positionOf(index);
-      return at < 0 ? [] : [at];
+    const positions = (axis: MatrixAxis, thing: MatrixAxis['thing'], index: number | null) => {
+      return index === null || axis.thing !== thing ? [] : axis.positionsOf(index);
     };
     return {
-      rows: [...position(rows, 'spring', spring), ...position(rows, 'vertex', vertex)],
-      columns: position(columns, 'vertex', vertex),
+      rows: [...positions(rows, 'spring', spring), ...positions(rows, 'vertex', vertex)],
+      columns: positions(columns, 'vertex', vertex),
       places: spring === null || rows.thing === 'spring' ? [] : placesOf(spring),
     };
   };
@@ -59,9 +58,11 @@ export function modelOf(meaning: MatrixMeaning): SparsityModel {
   /** Where a spring stands in a matrix of vertices by vertices: wherever both of its ends meet. */
   const placesOf = (spring: number): Place[] => {
     const ends = [E[2 * spring], E[2 * spring + 1]];
+    const across = ends.flatMap(columns.positionsOf);
     return ends
-      .flatMap((i) => ends.map((j) => ({ row: rows.positionOf(i), column: columns.positionOf(j) })))
-      .filter((place) => place.row >= 0 && place.column >= 0 && entryAt(pattern, place) >= 0);
+      .flatMap(rows.positionsOf)
+      .flatMap((row) => across.map((column) => ({ row, column })))
+      .filter((place) => entryAt(pattern, place) >= 0);
   };
 
   return {
@@ -69,7 +70,10 @@ export function modelOf(meaning: MatrixMeaning): SparsityModel {
     pattern,
     kinds: kinds?.colours ?? signColours,
     write: format.write,
-    head: (axis, index) => String((axis === 'row' ? rows : columns).indexAt(index)),
+    head: (axis, index) => {
+      const along = axis === 'row' ? rows : columns;
+      return `${along.indexAt(index)}${coordinateAt(along, index)}`;
+    },
     thingsAt,
     marksOf,
     describe: (place) => {
@@ -91,7 +95,9 @@ export function modelOf(meaning: MatrixMeaning): SparsityModel {
 
 function nameOf(axis: MatrixAxis, position: number): string {
   const words = roomWords().entry;
-  return fillTemplate(axis.pins ? words.pin : words[axis.thing], { index: axis.indexAt(position) });
+  const index = axis.indexAt(position);
+  if (axis.coordinates) return fillTemplate(words.coordinate, { index, coordinate: coordinateAt(axis, position) });
+  return fillTemplate(axis.pins ? words.pin : words[axis.thing], { index });
 }
 
 /** With its sign, as "+1" is the point of A. */

@@ -1,24 +1,30 @@
-import type { Elimination, Factor, Matrices } from '../../../solver/matrices.ts';
+import type { Elimination, Factor, LinearlyImplicitMatrices, Matrices } from '../../../solver/matrices.ts';
 import type { Triplets } from '../../../solver/module.ts';
 import type { SparsityModel } from '../../../views/sparsity/sparsity_view.tsx';
-import { listed, numbered } from './axes.ts';
+import { byCoordinates, listed, numbered } from './axes.ts';
 import { modelOf } from './model_of.ts';
-import type { Numbering } from './numbering.ts';
+import { freeVertices, type Numbering } from './numbering.ts';
 import { roomWords } from './room_words.ts';
+import { signKinds } from './sign_kinds.ts';
 
-export const matrixNames = ['A', 'M', 'C', 'AtA', 'Q', 'L', 'P'] as const;
+export const matrixNames = ['A', 'M', 'C', 'AtA', 'Q', 'L', 'P', 'K', 'implicit', 'Phat'] as const;
 export type MatrixName = (typeof matrixNames)[number];
 
 export const fillColours: SparsityModel['kinds'] = [['--symbol-Q'], ['--symbol-d']];
 
-/** The lab's matrices as the view shows them. L and P once the solver's elimination is there, and L only where it was computed. */
+/**
+ * The lab's matrices as the view shows them. L and P once the solver's elimination is there, and L only where it was computed; K and what is made
+ * of it once they are there.
+ */
 export function roomMatrices(
   { A, M, C, AtA, Q }: Matrices,
   elimination: Elimination | null,
+  linearlyImplicit: LinearlyImplicitMatrices | null,
   { E, vertexCount, pinned }: Numbering,
 ): Record<MatrixName, SparsityModel | null> {
   const springs = numbered('spring', E.length / 2);
   const vertices = numbered('vertex', vertexCount);
+  const coordinates = byCoordinates(vertices);
   const order = elimination && listed(elimination.order);
   const factor = elimination?.factor ?? null;
   return {
@@ -48,6 +54,36 @@ export function roomMatrices(
         triplets: permutation(elimination.order, vertexCount),
         rows: order,
         columns: vertices,
+      }),
+    K:
+      linearlyImplicit &&
+      modelOf({
+        E,
+        symbol: 'K',
+        triplets: linearlyImplicit.K,
+        rows: coordinates,
+        columns: coordinates,
+        kinds: signKinds,
+      }),
+    implicit:
+      linearlyImplicit &&
+      modelOf({
+        E,
+        symbol: 'K',
+        triplets: linearlyImplicit.system,
+        rows: coordinates,
+        columns: coordinates,
+        unit: 'kg',
+        kinds: signKinds,
+      }),
+    Phat:
+      linearlyImplicit &&
+      modelOf({
+        E,
+        symbol: 'Phat',
+        triplets: linearlyImplicit.P,
+        rows: byCoordinates(listed(freeVertices({ vertexCount, pinned }))),
+        columns: coordinates,
       }),
   };
 }

@@ -6,6 +6,7 @@ const { raw } = String;
 export const zh: Catalogue<typeof en> = {
   title: '矩阵',
   lesson: '课程中：',
+  integrators: '与其他积分方法比较',
   net: {
     label: '网。拖动可旋转，点击弹簧或质点可找到它的行和列。',
     spring: '弹簧 {{e}}：从质点 {{j}} 到质点 {{i}}',
@@ -22,12 +23,14 @@ export const zh: Catalogue<typeof en> = {
     elimination: '消元',
     ledger: '何时重新分解',
     storage: '稠密还是稀疏',
+    implicit: '逐根弹簧组装 K',
   },
   entry: {
     place: '第 {{row}} 行（{{rowThing}}），第 {{column}} 列（{{columnThing}}）：{{value}}',
     spring: '弹簧 {{index}}',
     vertex: '质点 {{index}}',
     pin: '质点 {{index}} 处的固定点',
+    coordinate: '质点 {{index}} 的 {{coordinate}} 坐标',
     joint: ' · ',
     fill: '填充元：这里本没有弹簧',
   },
@@ -37,6 +40,12 @@ export const zh: Catalogue<typeof en> = {
       name: 'A 的转置乘 A',
       meaning: '对角线上是各质点所连弹簧的根数；凡有弹簧相连的两个质点，对应位置为 −1。每行之和为零。',
     },
+    implicit: {
+      name: '线性隐式欧拉法的系数矩阵',
+      meaning: '线性隐式欧拉法以它代替 Q 求解：质量与刚度合在一起。有阻尼时还包含结构相同的 −Δt D。',
+    },
+    coordinates:
+      '每个质点占三行：第 3i 行是质点 i 的 x 坐标，第 3i + 1 行是 y，第 3i + 2 行是 z。取上一个时间步结束时的位置。',
     size: '{{rows}} × {{columns}}，{{all}} 个元素中 {{count}} 个非零（{{share}}）。',
     free: 'L 和 P 只含 {{count}} 个未固定的质点：此求解器精确固定各固定点，它们不是未知量。',
     tooLarge: '这里计算 L 需要 {{flops}} 次运算。它有 {{count}} 个元素：只计数，不计算。',
@@ -162,5 +171,38 @@ export const zh: Catalogue<typeof en> = {
       estimated: '未知量超过 {{largest}} 个时不再尝试稠密；此处稠密的用时由方形网推算：求解按 n²，分解按 n³。',
     },
     failed: '无法计时。{{reason}}',
+  },
+  implicit: {
+    text: raw`线性隐式欧拉法不迭代：它把弹力在当前位置处线性化，只求解一次 $(\symM - \symdeltaT^2\symK)\,\symvelocity^{t+\Delta t} = \symM\symvelocity^{t} + \symdeltaT\,\symf$。每根弹簧把一个 3 × 3 的块四次加入 $\symK$。`,
+    matrix: '显示哪个矩阵',
+    stages: { K: '弹簧', system: '加上质量', constrained: '只留自由质点' },
+    label: {
+      K: 'K，已加入 {{all}} 根弹簧中的 {{count}} 根',
+      system: 'M − Δt²K，已加入 {{all}} 根弹簧中的 {{count}} 根',
+      constrained: 'M − Δt²K，已加入 {{all}} 根弹簧中的 {{count}} 根，固定点的行和列已去掉',
+    },
+    kinds: { positive: '正', negative: '负', zero: '已存储，但为零', latest: '这根弹簧的四个块' },
+    steps: '已加入的弹簧',
+    none: '尚未加入弹簧，请向前一步。',
+    noneWithMasses: '尚未加入弹簧：对角线上只有质量。',
+    spring: '弹簧 {{e}}：质点 {{i}} 到质点 {{j}}',
+    block: '弹簧 {{e}} 的块，单位 {{unit}}',
+    lengths: 'l = {{l}}，r = {{r}}，n = {{n}}',
+    places: {
+      K: raw`$-\mathbf{H}_e$ 加到 ({{i}}, {{i}}) 和 ({{j}}, {{j}})，$+\mathbf{H}_e$ 加到 ({{i}}, {{j}}) 和 ({{j}}, {{i}})。`,
+      system: raw`$+\symdeltaT^2\mathbf{H}_e$ 加到 ({{i}}, {{i}}) 和 ({{j}}, {{j}})，$-\symdeltaT^2\mathbf{H}_e$ 加到 ({{i}}, {{j}}) 和 ({{j}}, {{i}})。`,
+      onePinned: '质点 {{pin}} 是固定点：只剩 ({{free}}, {{free}}) 处的块。',
+      bothPinned: '两端都是固定点：这根弹簧什么也没有留下。',
+    },
+    damping: raw`有阻尼时，每个块还要加上 $\symdeltaT\,c\,\mathbf{n}\mathbf{n}^{\mathrm T}$。`,
+    compressed:
+      '**受压：**1 − r/l = {{across}} 小于零。垂直于弹簧的两个方向上，块的刚度为 {{stiffness}}，因此它是不定的。这样的弹簧多了，或时间步长大了，M 就压不住它们。',
+    stretched: '沿弹簧方向的刚度是 k，垂直方向是 k (1 − r/l) = {{stiffness}}：只要弹簧不受压，就不会小于零。',
+    collapsed: '两端重合：垂直方向的 1 − r/l 为无穷大，因此只加入 k nnᵀ。',
+    complete: '所有弹簧都已加入：这就是求解器中的矩阵。',
+    compare: {
+      title: '与 Q 相比',
+      text: raw`这里 $\symQ$ 有 **{{q}}** 个数，每对相连的质点一个；$\symM - \symdeltaT^2\symK$ 对应的是 3 × 3 的块：**{{system}}** 个数，是前者的 {{ratio}} 倍，去掉固定点后还剩 {{free}} 个。而且这些数随位置而变：这个矩阵**每个时间步**都要分解，$\symQ$ 只需分解**一次**。`,
+    },
   },
 };
