@@ -29,7 +29,7 @@ for (const [language, name, tabName, facts] of [
     await page.locator('.room-links').getByRole('link', { name, exact: true }).click();
     await expect(page.getByRole('tab', { selected: true })).toHaveText(tabName);
     await expect(page.getByText(facts)).toBeVisible();
-    for (let station = 0; station < 5; station++) {
+    for (let station = 0; station < 6; station++) {
       await page.getByRole('tab').nth(station).click();
       await expect(page.getByText('…', { exact: true })).toHaveCount(0); // everything is measured
       expect(await seriousViolations(page)).toEqual([]);
@@ -192,6 +192,50 @@ test('dense against sparse is measured here', async ({ page }) => {
   await expect(page.getByText('unknowns one dense factorisation takes longer than a second')).toBeVisible();
 });
 
+test('K is added up spring by spring, with the masses, and without the pinned vertices', async ({ page }) => {
+  await open(page, room);
+  await tab(page, 'Linearly implicit').click();
+  const stage = (name: string) => page.locator('.implicit-stages').getByRole('button', { name });
+  const stepper = page.locator('.implicit-matrix');
+  const places = page.getByTestId('spring-places');
+  await expect(matrix(page)).toHaveAccessibleName('K with 1 of 120 springs');
+  await stepper.getByRole('button', { name: 'To the beginning' }).click();
+  await expect(page.getByText('No spring is added yet. Step on.')).toBeVisible();
+  for (let spring = 0; spring < 3; spring++) {
+    await stepper.getByRole('button', { name: 'One step on' }).click();
+    await expect(meant(page)).toContainText(`spring ${spring}:`); // which is marked in the net, too
+  }
+  await expect(places).toContainText('goes to (0, 0) and (2, 2)');
+  await matrix(page).focus();
+  await expect(readout(page)).toContainText(/row 0 \(vertex 0, x\), column 0 \(vertex 0, x\): −.*N\/m/);
+  await stage('with masses').click();
+  await expect(matrix(page)).toHaveAccessibleName('M − Δt²K with 3 of 120 springs');
+  await matrix(page).focus();
+  await expect(readout(page)).toContainText(/\+.*kg/);
+
+  // Spring 119 ends at the pinned vertex 49.
+  await stepper.getByRole('slider').fill('120');
+  await expect(places).toContainText('(60, 60) and (49, 49)');
+  await stage('free vertices only').click();
+  await expect(places).toHaveText('Vertex 49 is pinned: only the block at (60, 60) is left.');
+  await expect(page.getByTestId('beside-q')).toContainText('301');
+  await expect(page.getByTestId('beside-q')).toContainText('9 times as many');
+  await page.getByRole('link', { name: 'other integrators' }).click();
+  await expect(page).toHaveURL(/#\/integrators/);
+});
+
+test('a compressed spring says that its block is indefinite', async ({ page }) => {
+  await open(page, room);
+  await page.getByRole('button', { name: /^One time step/ }).click();
+  await tab(page, 'Linearly implicit').click();
+  const definite = page.getByTestId('spring-definite');
+  const slider = page.locator('.implicit-matrix').getByRole('slider');
+  await slider.fill('2');
+  await expect(definite).toContainText('Not compressed');
+  await slider.fill('3'); // spring 2 is one of the thirty that the first time step shortens
+  await expect(definite).toContainText(/1 − r\/l = −.* indefinite/);
+});
+
 test('the tabs are one tab stop, with arrow keys inside', async ({ page }) => {
   await open(page, room);
   await tab(page, 'All matrices').focus();
@@ -199,7 +243,7 @@ test('the tabs are one tab stop, with arrow keys inside', async ({ page }) => {
   await expect(tab(page, 'Q and b')).toBeFocused();
   await expect(page.getByRole('tabpanel')).toHaveAccessibleName(/^Q and b/);
   await page.keyboard.press('End');
-  await expect(tab(page, 'Dense or sparse')).toBeFocused();
+  await expect(tab(page, 'Linearly implicit')).toBeFocused();
   await page.keyboard.press('Home');
   await expect(tab(page, 'All matrices')).toHaveAttribute('aria-selected', 'true');
 });
@@ -207,7 +251,7 @@ test('the tabs are one tab stop, with arrow keys inside', async ({ page }) => {
 test('on a phone nothing is to be scrolled sideways, and the net stays in sight', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page, room);
-  for (let station = 0; station < 5; station++) {
+  for (let station = 0; station < 6; station++) {
     await page.getByRole('tab').nth(station).click();
     await expect(page.getByText('…', { exact: true })).toHaveCount(0);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);

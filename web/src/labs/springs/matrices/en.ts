@@ -187,7 +187,7 @@ export const en = {
     failed: 'Nothing could be timed. {{reason}}',
   },
   implicit: {
-    text: raw`Linearly implicit Euler does not iterate. It replaces the springs' forces by their tangent at the present positions and solves once, $(\symM - \symdeltaT^2\symK)\,\symvelocity^{t+\Delta t} = \symM\symvelocity^{t} + \symdeltaT\,\symf$. Every spring adds one 3 × 3 block to $\symK$, four times.`,
+    text: raw`Linearly implicit Euler does not iterate. It puts the tangent at the present positions in place of the forces and solves once: $(\symM - \symdeltaT^2\symK)\,\symvelocity^{t+\Delta t} = \symM\symvelocity^{t} + \symdeltaT\,\symf$. Every spring adds one 3 × 3 block to $\symK$, four times.`,
     matrix: 'Which matrix',
     stages: { K: 'springs', system: 'with masses', constrained: 'free vertices only' },
     label: {
@@ -198,13 +198,13 @@ export const en = {
     kinds: {
       positive: 'above zero',
       negative: 'below zero',
-      zero: 'stored, but 0',
-      latest: 'this spring’s four blocks',
+      zero: 'stored zero',
+      latest: 'this spring',
     },
     steps: 'Springs added',
     none: 'No spring is added yet. Step on.',
     noneWithMasses: 'No spring is added yet: only the masses stand on the diagonal.',
-    spring: 'Spring {{e}}, vertex {{i}} to vertex {{j}}',
+    spring: 'Spring {{e}}: vertex {{j}} to vertex {{i}}',
     block: 'The block of spring {{e}}, in {{unit}}',
     lengths: 'l = {{l}}, r = {{r}}, n = {{n}}',
     places: {
@@ -216,8 +216,7 @@ export const en = {
     damping: raw`With damping every block also carries $\symdeltaT\,c\,\mathbf{n}\mathbf{n}^{\mathrm T}$.`,
     compressed:
       '**Compressed:** 1 − r/l = {{across}} is below zero. Across the spring the block has the stiffness {{stiffness}}, twice: it is indefinite. Enough such springs, or a long time step, and M no longer outweighs them.',
-    stretched:
-      'Along the spring the stiffness is k, across it k (1 − r/l) = {{stiffness}}: never below zero while the spring is not compressed.',
+    stretched: 'Not compressed: along the spring the block has the stiffness k, across it k (1 − r/l) = {{stiffness}}.',
     collapsed: 'Both ends are at the same place: across the spring 1 − r/l would be infinite, so only k nnᵀ is added.',
     complete: 'All springs are added: this is the matrix in the solver.',
     compare: {

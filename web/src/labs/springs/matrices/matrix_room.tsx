@@ -79,7 +79,11 @@ function Links({ station: shown }: { station: Station }) {
           {t(`symbols.section.${section}`)}
         </a>
       ))}
-      {shown === 'implicit' && <a href={encodeLink(integratorsRoute, state.value)}>{roomWords().integrators}</a>}
+      {shown === 'implicit' && (
+        <a class="to-integrators" href={encodeLink(integratorsRoute, state.value)}>
+          {roomWords().integrators}
+        </a>
+      )}
     </p>
   );
 }

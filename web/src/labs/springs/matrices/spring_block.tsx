@@ -1,6 +1,7 @@
 import { parameters, r } from '../../../app/state.ts';
+import { entryFormat } from '../../../lib/entry_format.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
-import { columnScale, formatInColumn, formatLength, formatNumber, formatQuantity } from '../../../lib/format.ts';
+import { formatFixed, formatLength, formatNumber, formatQuantity } from '../../../lib/format.ts';
 import { norm, row, subtract } from '../../../lib/vector.ts';
 import type { LinearlyImplicitMatrices } from '../../../solver/matrices.ts';
 import { Formula } from '../../../views/equations/formula.tsx';
@@ -28,7 +29,7 @@ export function SpringBlock({ read, stage, count }: Props) {
   const { E } = numbering.value;
   const [i, j] = [E[2 * e], E[2 * e + 1]];
   const block = read.stiffness.subarray(9 * e, 9 * e + 9);
-  const scale = columnScale(Math.max(...block.map(Math.abs)), 'N/m', 3);
+  const { unit, write } = entryFormat(block, 'N/m');
   const x = subtract(row(read.q, i), row(read.q, j));
   const l = norm(x);
   return (
@@ -39,16 +40,16 @@ export function SpringBlock({ read, stage, count }: Props) {
       </p>
       <p class="aside" data-testid="spring-lengths">
         {fillTemplate(words.lengths, {
-          l: formatLength(l),
-          r: formatLength(r.value[e]),
-          n: l === 0 ? '–' : `(${x.map((component) => (component / l).toFixed(3).replace('-', '−')).join(', ')})`,
+          l: formatLength(l, 5),
+          r: formatLength(r.value[e], 5),
+          n: l === 0 ? '–' : `(${x.map((component) => formatFixed(component / l, 3)).join(', ')})`,
         })}
       </p>
       <table class="numbers">
-        <caption>{fillTemplate(words.block, { e, unit: scale.unit })}</caption>
+        <caption class="visually-hidden">{fillTemplate(words.block, { e, unit: unit ?? '' })}</caption>
         <thead>
           <tr>
-            <td />
+            <td>{unit}</td>
             {['x', 'y', 'z'].map((axis) => (
               <th key={axis} scope="col">
                 {axis}
@@ -61,7 +62,7 @@ export function SpringBlock({ read, stage, count }: Props) {
             <tr key={axis}>
               <th scope="row">{axis}</th>
               {Array.from(block.subarray(3 * at, 3 * at + 3), (entry, column) => (
-                <td key={column}>{formatInColumn(entry, scale)}</td>
+                <td key={column}>{write(entry)}</td>
               ))}
             </tr>
           ))}

@@ -181,11 +181,11 @@ export const zh: Catalogue<typeof en> = {
       system: 'M − Δt²K，已加入 {{all}} 根弹簧中的 {{count}} 根',
       constrained: 'M − Δt²K，已加入 {{all}} 根弹簧中的 {{count}} 根，固定点的行和列已去掉',
     },
-    kinds: { positive: '正', negative: '负', zero: '已存储，但为零', latest: '这根弹簧的四个块' },
+    kinds: { positive: '正', negative: '负', zero: '已存储的零', latest: '这根弹簧' },
     steps: '已加入的弹簧',
     none: '尚未加入弹簧，请向前一步。',
     noneWithMasses: '尚未加入弹簧：对角线上只有质量。',
-    spring: '弹簧 {{e}}：质点 {{i}} 到质点 {{j}}',
+    spring: '弹簧 {{e}}：从质点 {{j}} 到质点 {{i}}',
     block: '弹簧 {{e}} 的块，单位 {{unit}}',
     lengths: 'l = {{l}}，r = {{r}}，n = {{n}}',
     places: {
@@ -197,7 +197,7 @@ export const zh: Catalogue<typeof en> = {
     damping: raw`有阻尼时，每个块还要加上 $\symdeltaT\,c\,\mathbf{n}\mathbf{n}^{\mathrm T}$。`,
     compressed:
       '**受压：**1 − r/l = {{across}} 小于零。垂直于弹簧的两个方向上，块的刚度为 {{stiffness}}，因此它是不定的。这样的弹簧多了，或时间步长大了，M 就压不住它们。',
-    stretched: '沿弹簧方向的刚度是 k，垂直方向是 k (1 − r/l) = {{stiffness}}：只要弹簧不受压，就不会小于零。',
+    stretched: '未受压：块沿弹簧方向的刚度是 k，垂直方向是 k (1 − r/l) = {{stiffness}}。',
     collapsed: '两端重合：垂直方向的 1 − r/l 为无穷大，因此只加入 k nnᵀ。',
     complete: '所有弹簧都已加入：这就是求解器中的矩阵。',
     compare: {
