@@ -132,17 +132,17 @@ function modelOfSum(
   { E, vertexCount, pinned }: typeof numbering.value,
 ) {
   const free = shown === 'constrained' ? freeVertices({ vertexCount, pinned }) : null;
-  const so_far = free ? constrainedTo(free, sum) : sum;
+  const soFar = free ? constrainedTo(free, sum) : sum;
   const axis = byCoordinates(free ? listed(free) : numbered('vertex', vertexCount));
   return modelOf({
     E,
     symbol: 'K',
-    triplets: so_far.sum,
+    triplets: soFar.sum,
     rows: axis,
     columns: axis,
     unit: shown === 'K' ? 'N/m' : 'kg',
     kinds: {
-      of: (entry, value) => (so_far.latest[entry] ? latest : signKinds.of(entry, value)),
+      of: (entry, value) => (soFar.latest[entry] ? latest : signKinds.of(entry, value)),
       colours: kinds.colours,
     },
   });

@@ -33,7 +33,7 @@ export function SpringBlock({ read, stage, count }: Props) {
   const x = subtract(row(read.q, i), row(read.q, j));
   const l = norm(x);
   return (
-    <section class="spring-block" aria-live="polite">
+    <section class="spring-block">
       <h3>{fillTemplate(words.spring, { e, i, j })}</h3>
       <p class="wide-line">
         <Formula tex={definition} />
@@ -68,7 +68,7 @@ export function SpringBlock({ read, stage, count }: Props) {
           ))}
         </tbody>
       </table>
-      <p data-testid="spring-places">
+      <p role="status" data-testid="spring-places">
         <Places stage={stage} i={i} j={j} />
         {read.resistance && stage !== 'K' && (
           <>
