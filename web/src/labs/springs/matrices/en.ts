@@ -218,7 +218,6 @@ export const en = {
       '**Compressed:** 1 − r/l = {{across}} is below zero. Across the spring the block has the stiffness {{stiffness}}, twice: it is indefinite. Enough such springs, or a long time step, and M no longer outweighs them.',
     stretched: 'Not compressed: along the spring the block has the stiffness k, across it k (1 − r/l) = {{stiffness}}.',
     collapsed: 'Both ends are at the same place: across the spring 1 − r/l would be infinite, so only k nnᵀ is added.',
-    complete: 'All springs are added: this is the matrix in the solver.',
     compare: {
       title: 'Beside Q',
       text: raw`$\symQ$ holds **{{q}}** numbers here, one for each pair of joined vertices; $\symM - \symdeltaT^2\symK$ has a 3 × 3 block for each: **{{system}}** numbers, {{ratio}} times as many, of which {{free}} are left once pinned vertices are taken out. And they change with the positions: this matrix is factorised **in every time step**, $\symQ$ **once**.`,

@@ -199,7 +199,6 @@ export const zh: Catalogue<typeof en> = {
       '**受压：**1 − r/l = {{across}} 小于零。垂直于弹簧的两个方向上，块的刚度为 {{stiffness}}，因此它是不定的。这样的弹簧多了，或时间步长大了，M 就压不住它们。',
     stretched: '未受压：块沿弹簧方向的刚度是 k，垂直方向是 k (1 − r/l) = {{stiffness}}。',
     collapsed: '两端重合：垂直方向的 1 − r/l 为无穷大，因此只加入 k nnᵀ。',
-    complete: '所有弹簧都已加入：这就是求解器中的矩阵。',
     compare: {
       title: '与 Q 相比',
       text: raw`这里 $\symQ$ 有 **{{q}}** 个数，每对相连的质点一个；$\symM - \symdeltaT^2\symK$ 对应的是 3 × 3 的块：**{{system}}** 个数，是前者的 {{ratio}} 倍，去掉固定点后还剩 {{free}} 个。而且这些数随位置而变：这个矩阵**每个时间步**都要分解，$\symQ$ 只需分解**一次**。`,
