@@ -14,6 +14,9 @@ const { raw } = String;
 
 const definition = raw`\mathbf{H}_e = \symk\,\bigl[\mathbf{n}\mathbf{n}^{\mathrm T} + (1 - \symr_e/l)(\mathbf{I} - \mathbf{n}\mathbf{n}^{\mathrm T})\bigr]`;
 
+/** Of the largest entry of a block: less is what is left of a 0, and twenty digits of it would say nothing. */
+const rounding = 1e-12;
+
 interface Props {
   read: LinearlyImplicitMatrices;
   stage: Stage;
@@ -30,6 +33,7 @@ export function SpringBlock({ read, stage, count }: Props) {
   const [i, j] = [E[2 * e], E[2 * e + 1]];
   const block = read.stiffness.subarray(9 * e, 9 * e + 9);
   const { unit, write } = entryFormat(block, 'N/m');
+  const largest = block.reduce((most, entry) => Math.max(most, Math.abs(entry)), 0);
   const x = subtract(row(read.q, i), row(read.q, j));
   const l = norm(x);
   return (
@@ -62,7 +66,7 @@ export function SpringBlock({ read, stage, count }: Props) {
             <tr key={axis}>
               <th scope="row">{axis}</th>
               {Array.from(block.subarray(3 * at, 3 * at + 3), (entry, column) => (
-                <td key={column}>{write(entry)}</td>
+                <td key={column}>{write(Math.abs(entry) > rounding * largest ? entry : 0)}</td>
               ))}
             </tr>
           ))}
