@@ -22,6 +22,20 @@ function lab(settings: Partial<IntegratorsSettings>, language: 'en' | 'zh' = 'en
 const nets = (page: Page) => page.locator('.nets');
 const stepOf = async (page: Page) => Number(await nets(page).getAttribute('data-step'));
 
+/** The canvas lies over the nets' views and over nothing else: what it covered besides could neither be seen nor clicked. */
+async function expectCanvasOnViews(page: Page): Promise<void> {
+  const excess = () =>
+    page.evaluate(() => {
+      const box = (element: Element | null) => (element as Element).getBoundingClientRect();
+      const views = [...document.querySelectorAll('.net-view')].map(box);
+      const canvas = box(document.querySelector('.nets-canvas'));
+      const [left, top] = [Math.min(...views.map((view) => view.left)), Math.min(...views.map((view) => view.top))];
+      const [right, bottom] = [Math.max(...views.map((view) => view.right)), Math.max(...views.map((view) => view.bottom))];
+      return Math.max(left - canvas.left, top - canvas.top, canvas.right - right, canvas.bottom - bottom);
+    });
+  await expect.poll(excess).toBeLessThanOrEqual(2); // it ends at whole pixels
+}
+
 /** The clock has gone so far. */
 async function expectSteps(page: Page, steps: number): Promise<void> {
   await expect.poll(() => stepOf(page), { intervals: [50] }).toBeGreaterThanOrEqual(steps);
@@ -112,6 +126,7 @@ test('methods and settings are changed while it runs, and a link opens the same 
   await page.locator('#compared-k').fill('250');
   await page.keyboard.press('Enter');
   await expect(page.locator('.net h4')).toHaveText(['Local/global × 10', 'Chebyshev × 10']);
+  await expectCanvasOnViews(page);
   await expectSteps(page, (await stepOf(page)) + 3);
   await expect.poll(() => page.url()).toContain('chebyshev');
   await expect.poll(() => page.url()).toContain('%22k%22:250');

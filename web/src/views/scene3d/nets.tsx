@@ -117,7 +117,7 @@ export function Nets({
           role="img"
         />
         {captions.map(({ name, note }, net) => (
-          <section key={name} class="net">
+          <section key={net} class="net">
             <h4>{name}</h4>
             <div class="net-view">{view && poke && <PullForce nets={view} net={net} pictures={pictures} />}</div>
             <p class="net-note">{note}</p>
