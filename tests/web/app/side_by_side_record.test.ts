@@ -23,6 +23,17 @@ test('every time step has its number and its time, also when Δt changes', () =>
   ]);
 });
 
+test('samples say from when on methods and motions are what they are', () => {
+  const record = new SideBySideRecord();
+  record.begin(1);
+  record.add([state(0, 1)], 1, 0.5, 0);
+  record.reorder([0]);
+  record.add([state(0, 1)], 1, 0.5, 0);
+  record.interrupt();
+  record.add([state(0, 1)], 1, 0.5, 0);
+  expect(record.energies[0].map(({ stretch }) => stretch)).toEqual([0, 1, 2]);
+});
+
 test('only the latest are kept, however long it runs', () => {
   const record = new SideBySideRecord();
   record.begin(2);

@@ -188,6 +188,7 @@ export class SideBySide {
       service.sameInstant(leader, this.pins.value, this.pull.value),
     );
     if (outcome === null || !isTaken(outcome)) return;
+    this.record.interrupt();
     batch(() => {
       this.show(outcome.value.states, 1);
       this.instant.value = { ...outcome.value, leader };

@@ -8,6 +8,8 @@ export interface EnergySample extends MechanicalEnergy {
   step: number;
   /** Simulated s since the start. */
   time: number;
+  /** How often methods, settings or motions had been changed from outside: between two such changes the method alone moves the energy. */
+  stretch: number;
 }
 
 export interface DistanceSample {
@@ -31,6 +33,7 @@ export class SideBySideRecord {
   milliseconds: (number | null)[] = [];
   private step = 0;
   private time = 0;
+  private stretch = 0;
 
   begin(variants: number): void {
     this.energies = Array.from({ length: variants }, () => []);
@@ -38,10 +41,17 @@ export class SideBySideRecord {
     this.milliseconds = Array.from({ length: variants }, () => null);
     this.step = 0;
     this.time = 0;
+    this.stretch = 0;
+  }
+
+  /** What comes next does not follow from what was. */
+  interrupt(): void {
+    this.stretch += 1;
   }
 
   /** `from`: which of the curves each variant goes on with; null where it begins one. */
   reorder(from: readonly (number | null)[]): void {
+    this.interrupt();
     this.energies = from.map((before) => (before === null ? [] : this.energies[before]));
     this.distances = from.map((before) => (before === null ? [] : this.distances[before]));
     this.milliseconds = from.map(() => null); // with other settings it takes another time
@@ -58,7 +68,8 @@ export class SideBySideRecord {
       const before = this.milliseconds[at] ?? milliseconds;
       if (!failure) this.milliseconds[at] = before + share * (milliseconds - before);
       energies.forEach((energy, n) => {
-        this.energies[at].push({ ...energy, step: this.step + n + 1, time: this.time + (n + 1) * delta_t });
+        const [step, sampled] = [this.step + n + 1, this.time + (n + 1) * delta_t];
+        this.energies[at].push({ ...energy, step, time: sampled, stretch: this.stretch });
       });
       if (!failure && !states[reference].failure)
         this.distances[at].push({ time, distance: farthest(p, states[reference].p) });

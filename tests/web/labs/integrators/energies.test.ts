@@ -6,7 +6,7 @@ import { calmRange, energyRate, shownSamples } from '../../../../web/src/labs/in
 const samples = (steps: number, energy: (time: number) => number): EnergySample[] =>
   Array.from({ length: steps }, (_, at) => {
     const time = (at + 1) / 100;
-    return { step: at + 1, time, kinetic: energy(time), springs: 2, external: -1 };
+    return { step: at + 1, time, stretch: 0, kinetic: energy(time), springs: 2, external: -1 };
   });
 
 describe('the rate', () => {
@@ -17,6 +17,13 @@ describe('the rate', () => {
 
   it('is of the last second alone', () => {
     expect(energyRate(samples(300, (time) => (time <= 2 ? 50 * time : 100)))).toBeCloseTo(0, 10);
+  });
+
+  it('does not count what a change of method or motion has done', () => {
+    const before = samples(50, () => 100);
+    const after = samples(60, (time) => 10 - 3 * time).slice(50);
+    const changed = after.map((sample) => ({ ...sample, stretch: 1 }));
+    expect(energyRate([...before, ...changed])).toBeCloseTo(-3, 10);
   });
 
   it('is not told by less than three time steps', () => {

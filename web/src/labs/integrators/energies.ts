@@ -14,10 +14,13 @@ export function total({ kinetic, springs, external }: EnergySample): number {
   return kinetic + springs + external;
 }
 
-/** W: the slope of the straight line that fits the total energy of the last second best; null while that is too little to say. */
+/**
+ * W: the slope of the straight line that fits the total energy best, of the last second or since something was changed; null while that is too
+ * little to say.
+ */
 export function energyRate(samples: readonly EnergySample[]): number | null {
-  const end = samples.at(-1)?.time ?? 0;
-  const last = samples.filter(({ time }) => time > end - told);
+  const { time: end, stretch: now } = samples.at(-1) ?? { time: 0, stretch: 0 };
+  const last = samples.filter(({ time, stretch }) => time > end - told && stretch === now);
   if (last.length < 3) return null;
   const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const times = last.map(({ time }) => time);
