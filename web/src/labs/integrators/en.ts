@@ -40,8 +40,9 @@ export const en = {
     method: 'Method {{number}}',
     atOnce: 'At once',
     iterated: 'Implicit Euler by',
-    iterations: 'iterations',
-    substeps: 'substeps',
+    iterations: { one: 'iteration', many: 'iterations' },
+    substeps: { one: 'substep', many: 'substeps' },
+    countOf: '{{name}}: {{count}}',
     substepsHint: 'A time step is made as so many steps of Δt over that number',
     remove: 'Remove {{name}}',
     add: 'Add a method',
@@ -62,23 +63,29 @@ export const en = {
   },
   stability: {
     omega: raw`The fastest oscillation of these springs has $\omega = {{omega}}\,\mathrm{rad/s}$, so $\symdeltaT\,\omega = {{product}}$.`,
-    stable:
-      'That is below 2, the limit of symplectic Euler. Forward Euler gains energy at every step size unless damping takes it away.',
-    unstable:
-      'That is beyond 2, the limit of the explicit methods: they explode unless a time step is cut into {{substeps}} substeps or more. The implicit ones have no limit.',
+    symplectic: {
+      holds: 'Symplectic Euler is stable below {{limit}}, and so it holds.',
+      explodes:
+        'Symplectic Euler is stable below {{limit}}: it explodes unless a time step is cut into {{substeps}} substeps or more.',
+    },
+    forward: {
+      holds: 'Forward Euler with this damping is stable below {{limit}}, and so it holds.',
+      explodes:
+        'Forward Euler with this damping is stable below {{limit}}: it explodes unless a time step is cut into {{substeps}} substeps or more.',
+    },
+    never: 'Forward Euler without damping explodes at any step size.',
+    implicit: 'The implicit methods have no such limit.',
   },
   note: {
     loses: 'loses {{rate}} a second',
     gains: 'gains {{rate}} a second',
     keeps: 'keeps its energy',
-    still: 'at rest',
-    time: '{{time}} a time step',
     failed: 'stopped at time step {{step}}: {{sentence}}',
     unstable:
-      '{{name}} left its stable region: Δt·ω = {{value}} > {{limit}}. The positions before are kept; “Start again” brings it back.',
+      '{{name}} exploded at time step {{step}}: its Δt·ω had come to {{value}}, and it is stable only up to {{limit}}. Choose more substeps or a smaller Δt, then “Start again”.',
     unbounded:
-      '{{name}} exploded at time step {{step}}, as it does at any step size without damping; here Δt·ω is {{value}}. The positions before are kept; “Start again” brings it back.',
-    grew: '{{name}} exploded at time step {{step}}. The positions before are kept; “Start again” brings it back.',
+      '{{name}} exploded at time step {{step}}, where Δt·ω is {{value}}. Without damping it does so at any step size, with smaller ones only later: choose another method or add damping, then “Start again”.',
+    grew: '{{name}} exploded at time step {{step}}. Choose a smaller Δt or another method, then “Start again”.',
   },
   energy: {
     heading: 'Energy',

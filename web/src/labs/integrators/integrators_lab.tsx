@@ -64,7 +64,7 @@ export function IntegratorsLab({ actions }: { actions: Actions }) {
         </div>
         <div class="integrators-controls">
           <MethodList actions={actions} />
-          <Stability omega={run.frequency.value} delta_t={inForce.delta_t} methods={methods} />
+          <Stability omega={run.frequency.value} parameters={inForce} methods={methods} />
           <Settings scene={scene} actions={actions} />
         </div>
       </div>

@@ -1,3 +1,4 @@
+import { useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { type MethodChoice, mostMethods } from '../../app/integrators.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
@@ -14,22 +15,26 @@ export function MethodList({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh }).methods;
   const { methods } = state.value.integrators;
   const names = namesOf(methods);
+  const rows = useRef<HTMLOListElement>(null);
   const set = (next: readonly MethodChoice[]) => actions.setIntegrators({ methods: next });
+  const remove = (at: number) => {
+    set(methods.filter((_, index) => index !== at));
+    // Its button goes: the keyboard stays in the list, with who is next, or the last.
+    const selects = [...(rows.current?.querySelectorAll<HTMLSelectElement>('.method-choice') ?? [])];
+    selects[Math.min(at, methods.length - 2)].focus();
+  };
   return (
     <section class="method-list" aria-labelledby="methods-heading">
       <h3 id="methods-heading">{words.heading}</h3>
-      <ol>
+      <ol ref={rows}>
         {methods.map((choice, at) => (
           <MethodRow
             key={at}
             at={at}
+            name={names[at]}
             choice={choice}
             onSet={(next) => set(methods.map((other, index) => (index === at ? next : other)))}
-            remove={
-              methods.length > 1
-                ? { name: names[at], onRemove: () => set(methods.filter((_, index) => index !== at)) }
-                : null
-            }
+            onRemove={methods.length > 1 ? () => remove(at) : null}
           />
         ))}
       </ol>
@@ -50,12 +55,14 @@ const groups = [
 
 interface RowProps {
   at: number;
+  name: string;
   choice: MethodChoice;
   onSet: (next: MethodChoice) => void;
-  remove: { name: string; onRemove: () => void } | null;
+  /** Null: the last one stays. */
+  onRemove: (() => void) | null;
 }
 
-function MethodRow({ at, choice, onSet, remove }: RowProps) {
+function MethodRow({ at, name, choice, onSet, onRemove }: RowProps) {
   const { methods: words, short } = inLanguage({ en, zh });
   const entry = entryOf(choice);
   const count = countOf(entry);
@@ -65,6 +72,7 @@ function MethodRow({ at, choice, onSet, remove }: RowProps) {
         <path d="M0 5H28" />
       </svg>
       <select
+        class="method-choice"
         value={entry}
         aria-label={fillTemplate(words.method, { number: at + 1 })}
         onChange={(event) => onSet(choiceOf(event.currentTarget.value as Entry))}
@@ -83,6 +91,7 @@ function MethodRow({ at, choice, onSet, remove }: RowProps) {
         <label class="method-count" title={count === 'substeps' ? words.substepsHint : undefined}>
           <select
             value={choice[count]}
+            aria-label={fillTemplate(words.countOf, { name: short[entry], count: words[count].many })}
             onChange={(event) => onSet({ ...choice, [count]: Number(event.currentTarget.value) })}
           >
             {[...new Set([...countsOf[count], choice[count]])]
@@ -93,16 +102,16 @@ function MethodRow({ at, choice, onSet, remove }: RowProps) {
                 </option>
               ))}
           </select>{' '}
-          {words[count]}
+          {choice[count] === 1 ? words[count].one : words[count].many}
         </label>
       )}
-      {remove && (
+      {onRemove && (
         <button
           type="button"
           class="quiet"
-          aria-label={fillTemplate(words.remove, { name: remove.name })}
-          title={fillTemplate(words.remove, { name: remove.name })}
-          onClick={remove.onRemove}
+          aria-label={fillTemplate(words.remove, { name })}
+          title={fillTemplate(words.remove, { name })}
+          onClick={onRemove}
         >
           <Icon name="close" />
         </button>
