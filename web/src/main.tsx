@@ -107,9 +107,11 @@ function listen(): void {
   addEventListener('keydown', (event) => {
     const { target } = event;
     if (event.key === 'Escape' && work.value) return actions.cancel();
-    const typing = target instanceof Element && target.closest('input, select, textarea, summary');
+    const typing = target instanceof Element && target.closest('input:not([type="file"]), select, textarea, summary');
     const pressing =
-      target instanceof Element && target.closest('button, a') && (event.key === ' ' || event.key === 'Enter');
+      target instanceof Element &&
+      target.closest('button, a, input[type="file"]') &&
+      (event.key === ' ' || event.key === 'Enter');
     if (
       typing ||
       pressing ||
