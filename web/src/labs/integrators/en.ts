@@ -111,12 +111,12 @@ export const en = {
     alone: 'With a second method, its distance from the first one is drawn here.',
   },
   table: {
-    caption: 'What each has come to',
+    caption: 'Where each method stands',
     method: 'Method',
     energy: 'total energy',
-    rate: 'change a second',
+    rate: 'change per second',
     rateHint:
-      'Slope of the straight line that fits the total energy of the last second of simulated time best (least squares). While you pull, the work of your hand counts too.',
+      'Change per second: the slope of the straight line that fits the total energy of the last second of simulated time best. While you pull, the work of your hand counts too.',
     time: 'a time step takes',
     failed: 'stopped',
   },

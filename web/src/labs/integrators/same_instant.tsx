@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import type { SideBySide } from '../../app/side_by_side.ts';
 import { fillTemplate } from '../../lib/fill_template.ts';
@@ -15,8 +15,16 @@ export function SameInstant({ run, names }: { run: SideBySide; names: readonly s
   const leaders = run.moving.value;
   const leader = leaders.includes(chosen) ? chosen : (leaders[0] ?? 0);
   const { value: instant } = run.instant;
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (instant) section.current?.scrollIntoView({ block: 'nearest' }); // the key is pressed far above
+  }, [instant]);
+  const go = () => {
+    choose(leader);
+    void run.sameInstant(leader);
+  };
   return (
-    <section id="same-instant" class="same-instant" aria-labelledby="same-instant-heading">
+    <section ref={section} id="same-instant" class="same-instant" aria-labelledby="same-instant-heading">
       <h3 id="same-instant-heading">{words.heading}</h3>
       <Prose text={words.text} />
       <p class="same-instant-choice">
@@ -26,7 +34,7 @@ export function SameInstant({ run, names }: { run: SideBySide; names: readonly s
           options={leaders.map((at) => [String(at), names[at]] as const)}
           onChange={(value) => choose(Number(value))}
         />
-        <button type="button" disabled={leaders.length === 0} onClick={() => void run.sameInstant(leader)}>
+        <button type="button" disabled={leaders.length === 0} onClick={go}>
           {words.go}
         </button>
       </p>

@@ -27,17 +27,19 @@ export function Stability({ omega, parameters: { delta_t, damping, k }, methods 
   const explodes = (method: Method, limit: number) =>
     methods.some((choice) => choice.method === method && product >= limit * choice.substeps);
   return (
-    <p class="stability">
-      <Phrase text={fillTemplate(words.omega, { omega: formatNumber(omega), product: formatNumber(product) })} />
+    <div class="stability">
+      <p>
+        <Phrase text={fillTemplate(words.omega, { omega: formatNumber(omega), product: formatNumber(product) })} />
+      </p>
       {sentences.map(([method, sentence, limit]) => (
-        <span key={method} class={explodes(method, limit) ? 'stability-beyond' : undefined}>
+        <p key={method} class={explodes(method, limit) ? 'stability-beyond' : undefined}>
           {fillTemplate(limit === 0 ? words.never : product < limit ? sentence.holds : sentence.explodes, {
             limit: formatNumber(limit),
             substeps: substepsBelow(limit, product),
           })}
-        </span>
+        </p>
       ))}
-      <span>{words.implicit}</span>
-    </p>
+      <p>{words.implicit}</p>
+    </div>
   );
 }

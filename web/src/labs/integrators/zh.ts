@@ -5,9 +5,9 @@ const { raw } = String;
 
 export const zh: Catalogue<typeof en> = {
   title: '积分方法',
-  intro: '同一个场景，几种方法，同一个时钟：都从同一状态出发。拉一拉曲面，看谁守住能量，谁损失能量，谁会发散。',
+  intro: '同一个场景，几种方法，同一个时钟：都从同一状态出发。拉一拉物体表面，看谁守住能量，谁损失能量，谁会发散。',
   opening: '正在打开场景……',
-  hint: '按住曲面拖动：按住期间时间前进，松手后继续。',
+  hint: '按住物体表面拖动：按住期间时间前进，松手后继续。',
   short: {
     'forward-euler': '前向欧拉',
     'symplectic-euler': '辛欧拉',
@@ -113,7 +113,7 @@ export const zh: Catalogue<typeof en> = {
     method: '方法',
     energy: '总能量',
     rate: '每秒变化',
-    rateHint: '用直线拟合最近一秒（模拟时间）的总能量所得的斜率（最小二乘）。拉动时，手所做的功也计算在内。',
+    rateHint: '每秒变化：用直线拟合最近一秒（模拟时间）的总能量所得的斜率（最小二乘）。拉动时，手所做的功也计算在内。',
     time: '每个时间步用时',
     failed: '已停止',
   },

@@ -36,6 +36,7 @@ const topics: Record<Route['page'], Topics> = {
       ['A', 'page.keys.animate'],
       ['R', 'page.keys.integrators.restart'],
       ['I', 'page.keys.integrators.instant'],
+      ['Enter ← → ↑ ↓', 'page.keys.integrators.hold'],
       ['?', 'page.keys.help'],
       ['Esc', 'page.keys.escape'],
       ['← → ↑ ↓', 'page.keys.pinArrows'],
