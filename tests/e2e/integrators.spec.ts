@@ -74,7 +74,9 @@ test('forward Euler’s explosion is explained; the others go on, and starting a
   );
   await page.keyboard.press('a');
   const failure = page.locator('.integrators-failure').first();
-  await expect(failure).toContainText(/^Forward Euler exploded at time step \d+, where Δt·ω is \d.*Start again/, { timeout: 60_000 });
+  await expect(failure).toContainText(/^Forward Euler exploded at time step \d+, where Δt·ω is \d.*Start again/, {
+    timeout: 60_000,
+  });
   const then = await stepOf(page);
   await expectSteps(page, then + 10);
   await expect(page.locator('.integrators-failure').last()).toBeEmpty();
@@ -106,6 +108,30 @@ test('the rabbit’s ear is pulled, and swings after it is let go', async ({ pag
   await page.mouse.up();
   await expect(nets(page)).toHaveAttribute('data-pulled', '0');
   await expectSteps(page, (await stepOf(page)) + 3);
+});
+
+test('the rabbit is pulled with the keyboard, and the handle stays in the picture however far', async ({ page }) => {
+  await open(page, lab({ scene: 'rabbit', methods: [choice('local-global', 10), choice('newton')] }));
+  const handle = page.locator('.poke-handle');
+  await handle.focus();
+  await page.keyboard.press('Enter');
+  for (let press = 0; press < 20; press++) await page.keyboard.press('Shift+ArrowRight');
+  await expect(nets(page)).not.toHaveAttribute('data-pulled', '0');
+  await expectSteps(page, 10);
+  const boxOf = (selector: string) =>
+    page.evaluate((one) => {
+      const { left, right, top, bottom } = (document.querySelector(one) as Element).getBoundingClientRect();
+      return { left, right, top, bottom };
+    }, selector);
+  const [inner, outer] = [await boxOf('.poke-handle'), await boxOf('.net-view')];
+  // Canvases begin and end at whole pixels.
+  expect(inner.left).toBeGreaterThan(outer.left - 2);
+  expect(inner.right).toBeLessThan(outer.right + 2);
+  expect(inner.top).toBeGreaterThan(outer.top - 2);
+  expect(inner.bottom).toBeLessThan(outer.bottom + 2);
+  await page.keyboard.press('Escape');
+  await expect(nets(page)).toHaveAttribute('data-pulled', '0');
+  await expect(handle).toBeFocused();
 });
 
 test('the same instant: Newton’s method finds the minimiser, ten iterations do not', async ({ page }) => {

@@ -137,7 +137,7 @@ $$\symp \leftarrow \sympCurr - \mathbf{B}^{-1}\,\nabla E(\sympCurr)$$
 区别只在 $\mathbf{B}$：它越接近 $E$ 的二阶导数，能稳妥走出的步子就越大。其中 $\mathbf{K} = \partial\symf/\partial\symp$。`,
     'forward-euler': raw`先按旧速度移动，再用旧的力改变速度：$\symp = \sympCurr + \symdeltaT\,\symvelocity$，$\symvelocity \leftarrow \symvelocity + \symdeltaT\,\symM^{-1}\symf(\sympCurr)$。每次摆动都比前一次大一些，每步放大 $\sqrt{1 + \symdeltaT^2\omega^2}$ 倍：没有阻尼时，任何步长都会发散（[在单根弹簧上试一试](optimisation)）。`,
     'symplectic-euler': raw`$\mathbf{B} = \symM/\symdeltaT^2$，是对角矩阵，无需求解。先更新速度，再用新速度更新位置。只要 $\symdeltaT\,\omega < 2$，能量就在真实值附近摆动，既不增长也不衰减；超过则发散。课程中称之为[用已知的力](optimisation)走一步。`,
-    'linearly-implicit': raw`$\mathbf{B} = \symM/\symdeltaT^2 - \mathbf{K}$，即 $E$ 在 $\sympCurr$ 处的二阶导数：$(\symM - \symdeltaT^2\mathbf{K})\,\symvelocity \leftarrow \symM\symvelocity + \symdeltaT\,\symf(\sympCurr)$。每个时间步解一个线性方程组，矩阵的数值每次都不同。它就是隐式欧拉法的一个牛顿步，但不做线搜索。`,
+    'linearly-implicit': raw`$\mathbf{B} = \symM/\symdeltaT^2 - \mathbf{K}$，即 $E$ 在 $\sympCurr$ 处的二阶导数：$(\symM - \symdeltaT^2\mathbf{K})\,\symvelocity \leftarrow \symM\symvelocity + \symdeltaT\,\symf(\sympCurr)$。每个时间步解一个线性方程组，矩阵的数值每次都不同。它就是隐式欧拉法的一个牛顿步，但不做线搜索：拉得太猛、许多弹簧受压时，可能走得过头，使物体散架。`,
     'newton-once': raw`$\mathbf{B}$ 与线性隐式欧拉法相同，但在受压弹簧破坏正定性之处加以修正，再做线搜索，使 $E$ 从不上升：更稳妥的[线性隐式欧拉法](optimisation)。`,
     newton: raw`在每个新的 $\symp$ 处重复牛顿步，直到 $E$ 不再下降：得到极小点本身，也就是名副其实的隐式欧拉法。它仍会损失的能量是方法自身的阻尼，$\symdeltaT$ 越大损失越多（[原因](time)）。`,
     'local-global': raw`$\mathbf{B} = \symQ$，对所有时间步都一样：[一个局部步加一个全局步](trick)就是 $\symp \leftarrow \symp - \symQ^{-1}\nabla \symobjective$。$\symQ$ 从不改变，只需分解一次；它比真正的二阶导数更“硬”，所以单次迭代走得太短，看上去像有阻尼。`,

@@ -102,7 +102,7 @@ export function Nets({
   }, [view, showSprings, poke, pokeRadius, pokeStiffness]);
 
   const placeOf = (vertex: number) => {
-    const place = nets3D.value?.projectToScreen(vertex, 0);
+    const place = nets3D.value?.placeInView(vertex);
     const { x, y } = origin.value;
     return place ? { x: x + place.x, y: y + place.y } : null;
   };

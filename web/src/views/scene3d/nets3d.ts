@@ -86,6 +86,14 @@ export class Nets3D {
     this.callbacks.onInvalidate();
   }
 
+  /** Where the first net's view shows a vertex or, when that is outside, the nearest place in it: what stands for a vertex must not lie over other things. */
+  placeInView(vertex: number): ScreenPoint | null {
+    const place = this.projectToScreen(vertex, 0);
+    const [view] = this.viewports;
+    if (!place || !view) return null;
+    return { x: within(place.x, view.x, view.width), y: within(place.y, view.y, view.height) };
+  }
+
   /** Of each net; null without a pull, or where it is behind the camera. */
   shownPulls(): readonly (ShownPull | null)[] {
     const { frame, viewports } = this;
@@ -146,4 +154,11 @@ export class Nets3D {
       refresh: (pixelsPerMetre) => content.refresh(frame, this.options, this.marked, pixelsPerMetre),
     };
   }
+}
+
+/** CSS pixels: half of what stands for a vertex. */
+const halfHandle = 12;
+
+function within(place: number, from: number, length: number): number {
+  return Math.max(from + halfHandle, Math.min(from + length - halfHandle, place));
 }
