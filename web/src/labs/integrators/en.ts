@@ -84,7 +84,7 @@ export const en = {
     unstable:
       '{{name}} exploded at time step {{step}}: its Δt·ω had come to {{value}}, and it is stable only up to {{limit}}. Choose more substeps or a smaller Δt, then “Start again”.',
     unbounded:
-      '{{name}} exploded at time step {{step}}, where Δt·ω is {{value}}. Without damping it does so at any step size, with smaller ones only later: choose another method or add damping, then “Start again”.',
+      '{{name}} exploded at time step {{step}} (Δt·ω = {{value}}). Without damping it always does, with smaller Δt only later. Choose another method or add damping, then “Start again”.',
     grew: '{{name}} exploded at time step {{step}}. Choose a smaller Δt or another method, then “Start again”.',
   },
   energy: {
