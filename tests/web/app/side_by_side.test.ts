@@ -161,3 +161,14 @@ test('the same instant is one time step by all, with the errors of each', async 
   expect(leader).toBe(1);
   expect(errors[0]?.objective).toBeGreaterThan(errors[1]?.objective ?? Number.POSITIVE_INFINITY);
 });
+
+test('the same instant starts from the motion that was wanted, and again when methods before it are gone', async () => {
+  const run = newRun();
+  await run.open(variants, { scene, pins, from: null });
+  run.wantedLeader.value = 1;
+  expect(run.leader.value).toBe(1);
+  await run.sameInstant(run.leader.value);
+  expect(run.instant.value?.leader).toBe(1);
+  expect(await run.change(variants.slice(1))).toBe(true);
+  expect(run.leader.value).toBe(0);
+});

@@ -57,6 +57,8 @@ export class SideBySide {
   readonly frequency = signal(0);
   /** Which variant the others are measured by. */
   readonly reference = signal(0);
+  /** Whose motion the reader wants the same instant from. */
+  readonly wantedLeader = signal(0);
   /** Time steps made since the start. */
   readonly step = signal(0);
   /** What the latest time step by all from the same motion has shown, and from whose. */
@@ -71,6 +73,11 @@ export class SideBySide {
   readonly moving = computed<readonly number[]>(() => [...this.movingNames.value].map(Number));
   /** Whether there is something still able to move. */
   readonly alive = computed(() => this.movingNames.value !== '');
+  /** Whose motion the same instant starts from: whoever stands still leads nobody. */
+  readonly leader = computed(() => {
+    const { value: moving } = this.moving;
+    return moving.includes(this.wantedLeader.value) ? this.wantedLeader.value : (moving[0] ?? 0);
+  });
 
   /** The same, a digit each, and so equal as long as nobody fails: who shows them is not to be drawn anew with every picture. */
   private readonly movingNames = computed(
@@ -147,6 +154,7 @@ export class SideBySide {
     this.record.reorder(from);
     batch(() => {
       this.reference.value = Math.max(0, from.indexOf(this.reference.value));
+      this.wantedLeader.value = Math.max(0, from.indexOf(this.wantedLeader.value));
       this.instant.value = null;
       this.frequency.value = frequency;
       this.states.value = states;
@@ -184,6 +192,7 @@ export class SideBySide {
   async sameInstant(leader: number): Promise<void> {
     if (!this.states.value) return;
     this.playing.value = false;
+    this.wantedLeader.value = leader; // also when others come to move again by this
     const outcome = await this.ask<Outcome<Instant>>(async (service) =>
       service.sameInstant(leader, this.pins.value, this.pull.value),
     );

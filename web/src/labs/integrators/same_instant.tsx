@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import type { SideBySide } from '../../app/side_by_side.ts';
 import { fillTemplate } from '../../lib/fill_template.ts';
@@ -11,18 +11,13 @@ import { zh } from './zh.ts';
 /** One time step by every method from the motion of one of them, beside the exact minimiser. */
 export function SameInstant({ run, names }: { run: SideBySide; names: readonly string[] }) {
   const words = inLanguage({ en, zh }).instant;
-  const [chosen, choose] = useState(0);
-  const leaders = run.moving.value;
-  const leader = leaders.includes(chosen) ? chosen : (leaders[0] ?? 0);
+  const { value: leaders } = run.moving;
+  const { value: leader } = run.leader;
   const { value: instant } = run.instant;
   const section = useRef<HTMLElement>(null);
   useEffect(() => {
     if (instant) section.current?.scrollIntoView({ block: 'nearest' }); // the key is pressed far above
   }, [instant]);
-  const go = () => {
-    choose(leader);
-    void run.sameInstant(leader);
-  };
   return (
     <section ref={section} id="same-instant" class="same-instant" aria-labelledby="same-instant-heading">
       <h3 id="same-instant-heading">{words.heading}</h3>
@@ -32,9 +27,11 @@ export function SameInstant({ run, names }: { run: SideBySide; names: readonly s
           label={words.from}
           value={String(leader)}
           options={leaders.map((at) => [String(at), names[at]] as const)}
-          onChange={(value) => choose(Number(value))}
+          onChange={(value) => {
+            run.wantedLeader.value = Number(value);
+          }}
         />
-        <button type="button" disabled={leaders.length === 0} onClick={go}>
+        <button type="button" disabled={leaders.length === 0} onClick={() => void run.sameInstant(leader)}>
           {words.go}
         </button>
       </p>

@@ -48,7 +48,7 @@ function clockKey(run: SideBySide, key: string): boolean {
       run.playing.value = run.alive.value && !run.playing.value;
     },
     r: () => void run.reset(),
-    i: () => void run.sameInstant(run.moving.peek()[0] ?? 0),
+    i: () => void run.sameInstant(run.leader.peek()),
   };
   const meaning = meanings[key.length === 1 ? key.toLowerCase() : key];
   meaning?.();
