@@ -5,14 +5,30 @@ const factors: Record<ComparedParameter, readonly [down: number, up: number]> = 
   k: [1 / 10, 10],
   mass_scale: [1 / 10, 10],
   delta_t: [1 / 10, 10],
-  damping: [1 / 2, 50], // the cloth's 0.2 N·s/m from 0.1 to 10
+  damping: [1 / 10, 50],
   gravity: [1 / 10, 10],
 };
 
 /** Where the scene has none, so that the slider begins with 0. */
 const mostFromNone = { damping: 100, gravity: 10 } as const;
 
-export function reachOf(name: ComparedParameter, own: number): { min: number; max: number } {
+interface Reach {
+  min: number;
+  max: number;
+}
+
+/** The sliders of the cloth lab ([P]), whose vertices weigh 1 kg; it has none for the time step. */
+const clothLab: Partial<Record<ComparedParameter, Reach>> = {
+  k: { min: 10, max: 300 },
+  mass_scale: { min: 0.5, max: 10 },
+  damping: { min: 0.1, max: 10 },
+  gravity: { min: 0.1, max: 1 },
+};
+
+/** @param own  the scene's own value */
+export function reachOf(scene: string, name: ComparedParameter, own: number): Reach {
+  const asInTheLab = scene === 'cloth' ? clothLab[name] : undefined;
+  if (asInTheLab) return asInTheLab;
   const { min, max } = comparedLimits[name];
   if (own === 0 && (name === 'damping' || name === 'gravity')) return { min: 0, max: mostFromNone[name] };
   const [down, up] = factors[name];

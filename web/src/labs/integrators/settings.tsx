@@ -43,7 +43,7 @@ export function Settings({ scene, actions }: { scene: Scene; actions: Actions })
           name={words[name]}
           value={inForce[name]}
           limits={comparedLimits[name]}
-          reach={reachOf(name, own[name])}
+          reach={reachOf(scene.name, name, own[name])}
           onSet={(value) => actions.setIntegrators({ parameters: { ...parameters, [name]: value } })}
           reset={{ label: words.reset, onReset: parameters[name] === undefined ? null : () => back(name) }}
         />
@@ -57,7 +57,7 @@ export function Settings({ scene, actions }: { scene: Scene; actions: Actions })
         name={words.pokeStiffness}
         value={poke.stiffness ?? inForce.k}
         limits={comparedLimits.poke.stiffness}
-        reach={reachOf('k', own.k)}
+        reach={reachOf(scene.name, 'k', own.k)}
         onSet={(stiffness) => actions.setIntegrators({ poke: { ...poke, stiffness } })}
         reset={{
           label: words.resetPoke,

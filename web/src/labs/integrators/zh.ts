@@ -139,7 +139,7 @@ $$\symp \leftarrow \sympCurr - \mathbf{B}^{-1}\,\nabla E(\sympCurr)$$
     'symplectic-euler': raw`$\mathbf{B} = \symM/\symdeltaT^2$，是对角矩阵，无需求解。先更新速度，再用新速度更新位置。只要 $\symdeltaT\,\omega < 2$，能量就在真实值附近摆动，既不增长也不衰减；超过则发散。课程中称之为[用已知的力](optimisation)走一步。`,
     'linearly-implicit': raw`$\mathbf{B} = \symM/\symdeltaT^2 - \mathbf{K}$，即 $E$ 在 $\sympCurr$ 处的二阶导数：$(\symM - \symdeltaT^2\mathbf{K})\,\symvelocity \leftarrow \symM\symvelocity + \symdeltaT\,\symf(\sympCurr)$。每个时间步解一个线性方程组，矩阵的数值每次都不同。它就是隐式欧拉法的一个牛顿步，但不做线搜索：拉得太猛、许多弹簧受压时，可能走得过头，使物体散架。`,
     'newton-once': raw`$\mathbf{B}$ 与线性隐式欧拉法相同，但在受压弹簧破坏正定性之处加以修正，再做线搜索，使 $E$ 从不上升：更稳妥的[线性隐式欧拉法](optimisation)。`,
-    newton: raw`在每个新的 $\symp$ 处重复牛顿步，直到 $E$ 不再下降：得到极小点本身，也就是名副其实的隐式欧拉法。它仍会损失的能量是方法自身的阻尼，$\symdeltaT$ 越大损失越多（[原因](time)）。`,
+    newton: raw`在每个新的 $\symp$ 处重复牛顿步，直到 $E$ 不再下降（布料实验的报告把 $E$ 及其梯度、二阶导数记作 $g$、$\nabla g$、$\mathbf{H}_g$）：得到极小点本身，也就是名副其实的隐式欧拉法。它仍会损失的能量是方法自身的阻尼，$\symdeltaT$ 越大损失越多（[原因](time)）。`,
     'local-global': raw`$\mathbf{B} = \symQ$，对所有时间步都一样：[一个局部步加一个全局步](trick)就是 $\symp \leftarrow \symp - \symQ^{-1}\nabla \symobjective$。$\symQ$ 从不改变，只需分解一次；它比真正的二阶导数更“硬”，所以单次迭代走得太短，看上去像有阻尼。`,
     lbfgs: raw`从 $\mathbf{B} = \symQ$ 开始，按最近几次迭代中梯度的变化加以修正。`,
     anderson: raw`$\mathbf{B} = \symQ$，再把最近几个迭代点线性组合，使剩余的修正量尽量抵消。`,
