@@ -22,7 +22,7 @@ void Trace::append(const TimeStep& step, const Cursor& cursor, double residual, 
   // At predict nothing is projected yet, and the surrogate is the objective itself.
   const double spring_term =
       cursor.half_step == 0 ? E.potential : projection_energy(step.E, step.k, cursor.iterate.d, p);
-  const double surrogate = spring_term + E.inertia + E.external + E.pin;
+  const double surrogate = E.objective - E.potential + spring_term;
   // Only the global step moves vertices; elsewhere p_before depends on where the cursor set out.
   const double change =
       cursor.at_global() ? (p - cursor.iterate.p_before).rowwise().norm().maxCoeff() : 0;
