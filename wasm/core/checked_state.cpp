@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "as_points.h"
 #include "validate_masses.h"
 #include "validate_parameters.h"
 #include "validate_points.h"
@@ -12,10 +13,6 @@ namespace mass_spring {
 namespace {
 
 const Status no_scene = {StatusCode::no_scene, "", -1, 0};
-
-Points as_points(const std::vector<double>& rows) {
-  return Eigen::Map<const Points>(rows.data(), rows.size() / 3, 3);
-}
 
 Indices as_indices(const std::vector<int>& values) {
   return Eigen::Map<const Indices>(values.data(), values.size());

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "as_points.h"
 #include "checked_state.h"
 #include "edge_lengths.h"
 #include "reach_of.h"
@@ -89,7 +90,7 @@ Objective MistakenSimulation::objective_at(const std::vector<double>& p) const {
   if (!has_scene() || p.size() != static_cast<std::size_t>(state_.V.size())) {
     return {nan, nan, nan, nan, nan, nan, nan};
   }
-  return objective(state_.time_step, Eigen::Map<const Points>(p.data(), state_.V.rows(), 3));
+  return objective(state_.time_step, as_points(p));
 }
 
 MechanicalEnergy MistakenSimulation::energy() const {

@@ -4,12 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "as_points.h"
 #include "checked_state.h"
 #include "d2V_spring_particle_particle_dq2.h"
 #include "dashpot_resistance.h"
+#include "fastest_oscillation.h"
 #include "forward_euler.h"
 #include "gradient.h"
-#include "largest_frequency.h"
 #include "local_step.h"
 #include "matrix_from_triplets.h"
 #include "reach_of.h"
@@ -25,10 +26,6 @@ namespace {
 
 const Status no_scene = {StatusCode::no_scene, "", -1, 0};
 const double nan = std::numeric_limits<double>::quiet_NaN();
-
-Points as_points(const std::vector<double>& rows) {
-  return Eigen::Map<const Points>(rows.data(), rows.size() / 3, 3);
-}
 
 }  // namespace
 
@@ -299,13 +296,17 @@ Status Simulation::run() {
   if (!status.ok()) return status;
   outcome_ = outcome;
   spare_.half_step = last_half_step();
+  spare_.next_p_prev = next_p_prev();
   std::swap(cursor_, spare_);
   return status;
 }
 
 void Simulation::next_half_step(Cursor& cursor) {
   ++cursor.half_step;
-  if (cursor.half_step == last_half_step()) return;  // accept changes nothing
+  if (cursor.half_step == last_half_step()) {  // accept moves nothing
+    cursor.next_p_prev = next_p_prev();
+    return;
+  }
   const TimeStep& step = state_.time_step;
   Iterate& iterate = cursor.iterate;
   if (cursor.half_step % 2 == 1) {
@@ -387,14 +388,13 @@ Points Simulation::velocity() const {
 }
 
 double Simulation::frequency() const {
-  return has_scene() ? largest_frequency(state_.time_step, settled()) : 0;
+  return has_scene() ? fastest_oscillation(state_.time_step, settled()).omega : 0;
 }
 
 double Simulation::stability_limit() const {
-  const Parameters& parameters = state_.parameters;
-  // A dashpot beside every spring damps a frequency the more the higher it is.
-  return mass_spring::stability_limit(parameters.method,
-                                      0.5 * parameters.damping * frequency() / parameters.k);
+  const Oscillation fastest =
+      has_scene() ? fastest_oscillation(state_.time_step, settled()) : Oscillation{};
+  return mass_spring::stability_limit(state_.parameters.method, fastest.zeta);
 }
 
 const Points& Simulation::settled() const {
@@ -402,24 +402,39 @@ const Points& Simulation::settled() const {
 }
 
 /// A Δt before settled(), such that their difference is the velocity.
-Points Simulation::settled_previous() const {
+const Points& Simulation::settled_previous() const {
+  return at_accept() ? cursor_.next_p_prev : state_.time_step.p_prev;
+}
+
+/// Of a time step that is being accepted.
+Points Simulation::next_p_prev() const {
   const TimeStep& step = state_.time_step;
-  if (!at_accept()) return step.p_prev;
   return state_.parameters.method == Method::forward_euler ? forward_euler_previous(step)
                                                            : step.p_curr;
 }
 
-/// Whether a motion can come there.
+/// Whether a motion can come there; if not, by what.
 Status Simulation::check_positions(const Points& p) const {
-  const Parameters& parameters = state_.parameters;
+  const Method method = state_.parameters.method;
   const Status status = validate_iterate(p);
-  if (!is_explicit(parameters.method)) return status;
-  if (status.ok() && p.cwiseAbs().maxCoeff() <= reach_of(state_.V)) return status;
+  if (!is_explicit(method)) return status;
+  const double reach = reach_of(state_.V);  // m
+  int farthest;
+  const double distance = p.rowwise().lpNorm<Eigen::Infinity>().maxCoeff(&farthest);  // m
+  if (status.ok() && distance <= reach) return status;
+  // Where it has exploded, springs are long and stiff in all directions: a larger ω than that which
+  // it exploded of. Unless it was long already.
   const TimeStep& step = state_.time_step;
-  const double omega = largest_frequency(step, step.p_curr);  // rad/s
-  const double zeta = 0.5 * parameters.damping * omega / parameters.k;
-  return {StatusCode::unstable, method_names()[static_cast<int>(parameters.method)], -1,
-          step.delta_t * omega, mass_spring::stability_limit(parameters.method, zeta)};
+  for (const Points* q : {&state_.V, &step.p_curr}) {
+    const Oscillation fastest = fastest_oscillation(step, *q);
+    const double product = step.delta_t * fastest.omega;
+    const double limit = mass_spring::stability_limit(method, fastest.zeta);
+    if (product > limit) {
+      return {StatusCode::unstable, method_names()[static_cast<int>(method)], -1, product, limit};
+    }
+  }
+  if (!status.ok()) return status;
+  return {StatusCode::diverged, "p", farthest, distance, reach};
 }
 
 double Simulation::stiffness_number() const {

@@ -110,7 +110,8 @@ class Simulation {
   int most_iterations() const;
   StoppingRule stopping_rule() const;
   bool has_spring(int e) const { return 0 <= e && e < state_.time_step.E.rows(); }
-  Points settled_previous() const;
+  const Points& settled_previous() const;
+  Points next_p_prev() const;
   Status check_positions(const Points& p) const;
   bool minimises() const;
   template <typename Settle>

@@ -11,6 +11,8 @@ namespace mass_spring {
 struct Cursor {
   int half_step = 0;
   Iterate iterate;
+  /// #V by 3, m: at accept, what the next time step takes for its p^{t-Δt}.
+  Points next_p_prev;
 
   bool at_global() const { return half_step > 0 && half_step % 2 == 0; }
 };

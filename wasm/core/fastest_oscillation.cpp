@@ -1,4 +1,4 @@
-#include "largest_frequency.h"
+#include "fastest_oscillation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,26 +35,29 @@ std::vector<Linear> linearised(const TimeStep& step, const Points& q) {
 
 }  // namespace
 
-double largest_frequency(const TimeStep& step, const Points& q) {
+Oscillation fastest_oscillation(const TimeStep& step, const Points& q) {
   const std::vector<Linear> springs = linearised(step, q);
   const Eigen::VectorXd inverse_m = step.m.cwiseInverse();  // #V, 1/kg
   // In u = M^½ x the matrix is symmetric. Any start will do that no symmetry of the scene shares.
   Points u(step.m.size(), 3);
   for (int c = 0; c < u.size(); ++c) u.data()[c] = std::fmod(0.618034 * (c + 1), 1.0) - 0.5;
   const Eigen::VectorXd scale = inverse_m.cwiseSqrt();
-  double squared = 0;  // ω², 1/s²
+  double squared = 0, resistance = 0;  // ω², 1/s², and 2ζω, 1/s
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     for (const int i : step.pinned) u.row(i).setZero();
     const double size = u.norm();
-    if (size == 0) return 0;
+    if (size == 0) return {};
     u /= size;
     const Points x = scale.asDiagonal() * u;
     Points force = Points::Zero(u.rows(), 3);
+    resistance = 0;
     for (const auto& [i, j, n, across] : springs) {
       const Eigen::RowVector3d move = x.row(i) - x.row(j);
-      const Eigen::RowVector3d resisted = step.k * (across * move + (1 - across) * move.dot(n) * n);
+      const double lengthening = move.dot(n);
+      const Eigen::RowVector3d resisted = step.k * (across * move + (1 - across) * lengthening * n);
       force.row(i) += resisted;
       force.row(j) -= resisted;
+      resistance += step.damping * lengthening * lengthening;
     }
     for (const int i : step.pull.vertices) force.row(i) += step.pull.k * x.row(i);
     const double before = squared;
@@ -62,7 +65,8 @@ double largest_frequency(const TimeStep& step, const Points& q) {
     u = scale.asDiagonal() * force;
     if (std::abs(squared - before) <= close_enough * squared) break;
   }
-  return std::sqrt(squared);
+  const double omega = std::sqrt(squared);
+  return {omega, omega > 0 ? resistance / (2 * omega) : 0};
 }
 
 }  // namespace mass_spring
