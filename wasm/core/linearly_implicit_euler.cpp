@@ -30,9 +30,7 @@ void LinearlyImplicitEuler::operator()(const TimeStep& step, Points& q) {
   } else {
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  for (int i = 0; i < n; ++i) {
-    if (blocks_.unknown(i) >= 0) q_dot.row(i) = x.segment<3>(blocks_.unknown(i));
-  }
+  blocks_.scatter(x, q_dot);
   q = step.p_curr + step.delta_t * q_dot;
   for (int c = 0; c < step.pinned.size(); ++c) q.row(step.pinned(c)) = step.targets.row(c);
 }
@@ -64,10 +62,7 @@ void LinearlyImplicitEuler::fill_in(const TimeStep& step, const Points& q_dot) {
     blocks_.add_vertex(i, delta_t * delta_t * step.pull.k);
   }
 
-  b_.resize(blocks_.matrix().rows());
-  for (int i = 0; i < n; ++i) {
-    if (blocks_.unknown(i) >= 0) b_.segment<3>(blocks_.unknown(i)) = b.row(i);
-  }
+  blocks_.gather(b, b_);
 }
 
 }  // namespace mass_spring

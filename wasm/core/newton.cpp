@@ -58,18 +58,13 @@ Newton::Descent Newton::descend(const NewtonProblem& problem, double left_out, P
     H_.analyse(step.E, n, held);
     llt_.analyzePattern(H_.matrix());
   }
-  fill_in_hessian(step, p, left_out, H_);
+  hessian(step, p, left_out, H_);
   llt_.factorize(H_.matrix());
   if (llt_.info() != Eigen::Success) return Descent::not_convex;
-  g_.resize(H_.matrix().rows());
-  for (int i = 0; i < n; ++i) {
-    if (H_.unknown(i) >= 0) g_.segment<3>(H_.unknown(i)) = standing_.gradient.row(i);
-  }
+  H_.gather(standing_.gradient, g_);
   g_ = llt_.solve(g_);
   x_.setZero(n, 3);
-  for (int i = 0; i < n; ++i) {
-    if (H_.unknown(i) >= 0) x_.row(i) = g_.segment<3>(H_.unknown(i));
-  }
+  H_.scatter(g_, x_);
   ++standing_.solves;
   if (x_.cwiseAbs().maxCoeff() <= resolution * p.cwiseAbs().maxCoeff()) return Descent::ended;
   const double slope = -inner_product(x_, standing_.gradient);

@@ -81,4 +81,17 @@ void SpringBlocks::add_vertex(int i, double value) {
   for (int c = 0; c < 3; ++c) matrix_.valuePtr()[place[c] + c] += value;
 }
 
+void SpringBlocks::gather(const Points& x, Vector& b) const {
+  b.resize(matrix_.rows());
+  for (int i = 0; i < unknown_.size(); ++i) {
+    if (unknown_(i) >= 0) b.segment<3>(unknown_(i)) = x.row(i);
+  }
+}
+
+void SpringBlocks::scatter(const Vector& b, Points& x) const {
+  for (int i = 0; i < unknown_.size(); ++i) {
+    if (unknown_(i) >= 0) x.row(i) = b.segment<3>(unknown_(i));
+  }
+}
+
 }  // namespace mass_spring

@@ -29,8 +29,14 @@ class SpringBlocks {
   /// Symmetric, all of it stored: #unknowns by #unknowns.
   const SparseMatrix& matrix() const { return matrix_; }
 
-  /// The first of a vertex' three unknowns, -1 where it is fixed.
-  int unknown(int i) const { return unknown_(i); }
+  /// P x: the rows of the vertices that are not fixed, one below the other.
+  /// @param x  #V by 3
+  /// @param b  #unknowns (result)
+  void gather(const Points& x, Vector& b) const;
+  /// The way back; rows of fixed vertices stay as they are.
+  /// @param b  #unknowns
+  /// @param x  #V by 3 (updated)
+  void scatter(const Vector& b, Points& x) const;
 
  private:
   /// Where the three columns of a block begin among the values of the matrix.
@@ -40,9 +46,9 @@ class SpringBlocks {
   Place place_of(int row, int column) const;
   void add(const Place& place, const Eigen::Matrix3d& block);
 
-  Edges E_;        // #E by 2
-  Indices fixed_;  // #fixed
-  Indices unknown_;
+  Edges E_;          // #E by 2
+  Indices fixed_;    // #fixed
+  Indices unknown_;  // #V: the first of the three of a vertex, -1 where it is fixed
   SparseMatrix matrix_;
   std::vector<std::array<Place, 4>> of_spring_;  // (i, i), (j, j), (i, j), (j, i)
   std::vector<Place> of_vertex_;                 // its diagonal

@@ -107,10 +107,10 @@ double System::factor_bytes() const {
 
 Status System::check(Method method, const TimeStep& step) const {
   if (method != Method::newton && method != Method::linearly_implicit) return {};
-  // H has a 3 by 3 block for every entry of Q, and so has, nearly, its factor. Before H is put
-  // together its entries are a list: 36 to a spring, none of them summed.
+  // H has a 3 by 3 block for every entry of Q, and so has, nearly, its factor. Its pattern is first
+  // a list, 18 entries to a spring, which is then sorted into another.
   const double bytes = 10 * factor_bytes() +
-                       2.0 * 36 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
+                       2.0 * 18 * sizeof(Triplets::value_type) * static_cast<double>(step.E.rows());
   if (bytes <= largest_newton_factor) return {};
   return {StatusCode::too_large, method_names()[static_cast<int>(method)], -1, bytes,
           largest_newton_factor};

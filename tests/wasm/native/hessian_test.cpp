@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 
 #include "gradient.h"
-#include "matrix_from_triplets.h"
 #include "methods_support.h"
 #include "support.h"
 
@@ -11,10 +10,10 @@ namespace mass_spring {
 namespace {
 
 DenseMatrix dense_hessian(const TimeStep& step, const Points& p, double left_out) {
-  const int size = static_cast<int>(p.size());
-  DenseMatrix H;
-  matrix_from_triplets(size, size, hessian(step, p, left_out), H);
-  return H;
+  SpringBlocks H;
+  H.analyse(step.E, static_cast<int>(p.rows()), {});
+  hessian(step, p, left_out, H);
+  return DenseMatrix(H.matrix());
 }
 
 double least_eigenvalue(const DenseMatrix& H) {

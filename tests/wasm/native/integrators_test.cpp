@@ -12,11 +12,11 @@
 #include "dV_gravity_particle_dq.h"
 #include "dV_spring_particle_particle_dq.h"
 #include "damping_energy.h"
+#include "fastest_oscillation.h"
 #include "fixed_point_constraints.h"
 #include "forward_euler.h"
 #include "gradient.h"
 #include "hessian.h"
-#include "largest_frequency.h"
 #include "linearly_implicit_euler.h"
 #include "linearly_implicit_terms.h"
 #include "mass_matrix_particles.h"
@@ -36,6 +36,14 @@ SparseMatrix matrix(int rows, int columns, const Triplets& triplets) {
   SparseMatrix A;
   matrix_from_triplets(rows, columns, triplets, A);
   return A;
+}
+
+/// Pinned vertices and all.
+SparseMatrix hessian_of(const TimeStep& step, const Points& p) {
+  SpringBlocks H;
+  H.analyse(step.E, static_cast<int>(p.rows()), {});
+  hessian(step, p, 0, H);
+  return H.matrix();
 }
 
 /// A scene in motion with dashpots, two of whose vertices are pulled.
@@ -123,7 +131,7 @@ TEST_CASE("dashpots and pulls: E's gradient and Hessian are its finite differenc
   const Points p = step.p_curr + 0.02 * random_points(20, 11);
   Points g, before, after;
   gradient(step, p, g);
-  const SparseMatrix H = matrix(60, 60, hessian(step, p, 0));
+  const SparseMatrix H = hessian_of(step, p);
   const double h = 1e-6;  // m
   for (int i = 0; i < 20; ++i) {
     for (int c = 0; c < 3; ++c) {
@@ -164,7 +172,7 @@ TEST_CASE("K is symmetric and minus E's Hessian without inertia; P selects what 
 
   const SparseMatrix M = matrix(60, 60, mass_matrix_particles(step.m));
   step.damping = step.w = 0;
-  const SparseMatrix H = matrix(60, 60, hessian(step, step.p_curr, 0));
+  const SparseMatrix H = hessian_of(step, step.p_curr);
   const SparseMatrix inertia = M / (step.delta_t * step.delta_t);
   CHECK(SparseMatrix(K + H - inertia).norm() < 1e-14 * H.norm());
 
@@ -214,7 +222,7 @@ TEST_CASE("its matrix is P (M - Δt D - Δt² K) Pᵀ") {
   integrator(step, q);
   step.w = 0;
   // H = (M - Δt D)/Δt² - K at p = p^t.
-  const SparseMatrix H = matrix(60, 60, hessian(step, step.p_curr, 0));
+  const SparseMatrix H = hessian_of(step, step.p_curr);
   const SparseMatrix P = matrix(51, 60, fixed_point_constraints(20, step.pinned));
   const SparseMatrix by_hessian = step.delta_t * step.delta_t * (P * H * P.transpose());
   CHECK(SparseMatrix(integrator.matrix() - by_hessian).norm() < 1e-14 * by_hessian.norm());
@@ -295,17 +303,18 @@ TEST_CASE("forward and symplectic Euler follow their recurrences, damped") {
 }
 
 TEST_CASE("the largest frequency: two masses, a chain, a pull, and what is pinned") {
-  CHECK(largest_frequency(pair_of_masses(0, 0.5, 80, 1), pair_of_masses(0, 0.5, 80, 1).p_curr) ==
-        doctest::Approx(std::sqrt(2 * 80 / 0.5)));
+  CHECK(fastest_oscillation(pair_of_masses(0, 0.5, 80, 1), pair_of_masses(0, 0.5, 80, 1).p_curr)
+            .omega == doctest::Approx(std::sqrt(2 * 80 / 0.5)));
   TimeStep step = pair_of_masses(0, 0.5, 80, 1);
   step.pinned = Indices{{0}};
-  CHECK(largest_frequency(step, step.p_curr) == doctest::Approx(std::sqrt(80 / 0.5)));
+  CHECK(fastest_oscillation(step, step.p_curr).omega == doctest::Approx(std::sqrt(80 / 0.5)));
   step.pull.vertices = Indices{{1}};
   step.pull.targets = Points::Zero(1, 3);
   step.pull.k = 40;
-  CHECK(largest_frequency(step, step.p_curr) == doctest::Approx(std::sqrt(120 / 0.5)));
+  CHECK(fastest_oscillation(step, step.p_curr).omega == doctest::Approx(std::sqrt(120 / 0.5)));
   step.pinned = Indices{{0, 1}};
-  CHECK(largest_frequency(step, step.p_curr) == 0);
+  CHECK(fastest_oscillation(step, step.p_curr).omega == 0);
+  CHECK(fastest_oscillation(step, step.p_curr).zeta == 0);
   // Against all eigenvalues of M^-½ (-K) M^-½ of a net at rest, where nothing pushes.
   TestScene net = flag(6, 5, 10);
   net.step.pinned.resize(0);
@@ -314,7 +323,24 @@ TEST_CASE("the largest frequency: two masses, a chain, a pull, and what is pinne
   const DenseMatrix scaled = scale.asDiagonal().inverse() * -K * scale.asDiagonal().inverse();
   const double exact =
       std::sqrt(Eigen::SelfAdjointEigenSolver<DenseMatrix>(scaled).eigenvalues().maxCoeff());
-  CHECK(largest_frequency(net.step, net.V) == doctest::Approx(exact).epsilon(5e-3));
+  CHECK(fastest_oscillation(net.step, net.V).omega == doctest::Approx(exact).epsilon(5e-3));
+}
+
+TEST_CASE(
+    "the damping ratio of the fastest oscillation is that of its dashpots, and a pull has none") {
+  TimeStep step = pair_of_masses(0, 0.5, 80, 1);
+  step.damping = 3;
+  // Two halves of a kilogram: the stretch is slowed by 2C/m of its velocity, 2ζω, with ω² = 2k/m.
+  CHECK(fastest_oscillation(step, step.p_curr).zeta ==
+        doctest::Approx(2 * 3 / 0.5 / (2 * std::sqrt(2 * 80 / 0.5))));
+  // Pulled so much harder than by its spring, vertex 1 oscillates by itself, in any direction: its
+  // dashpot slows it by no more than C/m.
+  step.pull.vertices = Indices{{1}};
+  step.pull.targets = step.p_curr.row(1);
+  step.pull.k = 1e12;
+  const Oscillation pulled = fastest_oscillation(step, step.p_curr);
+  CHECK(pulled.omega == doctest::Approx(std::sqrt(1e12 / 0.5)));
+  CHECK(pulled.zeta <= 1.001 * 3 / 0.5 / (2 * pulled.omega));
 }
 
 TEST_CASE("explicit methods hold an oscillation up to their limits, and not beyond") {
