@@ -181,7 +181,7 @@ void FastSystem::iterate(WidePoints& p, int iterations) {
       // The local step saw the pins where they were, the global step has them where they are held:
       // in A p, not in d.
       for (const auto& [free, pinned] : held_springs_) {
-        g_.row(free) += coupling_ * (p.row(pinned) - inertial_.row(pinned));
+        g_.row(free) += k_ * (p.row(pinned) - inertial_.row(pinned));
       }
       hold_pins(p);
     }

@@ -72,8 +72,9 @@ class FastSystem {
   /// of 1e-7 times the condition number of Q does no harm.
   void apply_inverse(RoughPoints& g);
 
-  /// Local and global step in turn, `iterations` times. Pinned vertices may start anywhere: as in
-  /// fast_mass_springs_step the first global step puts them where they are held.
+  /// Local and global step in turn, `iterations` times, without dashpots and pulls. Pinned vertices
+  /// may start anywhere: as in fast_mass_springs_step the first global step puts them where they
+  /// are held.
   void iterate(WidePoints& p, int iterations);
 
  private:
