@@ -108,8 +108,12 @@ export const labFigure: Figure = { scene, r, frame, parameters, selection };
 
 /** The scene's own parameters with the reader's changes. */
 export function parametersOn(s: Scene, chosen: AppState['parameters']): MinimisingParameters {
-  // Only the plain path has a penalty: who chooses w wants to see what it does.
-  return { ...sceneParameters(s), ...chosen, path: chosen.w === undefined ? 'fast' : 'plain' };
+  return {
+    ...sceneParameters(s),
+    damping: 0, // what the lab shows, from Q p = b to the solvers with mistakes, has no dashpots
+    ...chosen,
+    path: chosen.w === undefined ? 'fast' : 'plain', // only the plain path has a penalty: who chooses w wants to see what it does
+  };
 }
 
 /** The reader's pins, or the scene's own at rest. */
