@@ -78,6 +78,15 @@ describe('a change', () => {
     expect(farthest(one.p, third.p)).toBeLessThan(100 * rounding);
   });
 
+  test('gives it the motion of one that has not exploded, if there is one', () => {
+    const session = opened([variant({ method: 'forward-euler' }), many]);
+    const states = session.run(held, null, 1000);
+    expect(states.map(({ failure }) => failure === null)).toEqual([false, true]);
+    const { states: after, from } = changed(session, [variant({ method: 'forward-euler' }), many, few]);
+    expect(from).toEqual([0, 1, null]);
+    expect(after[2].p).toEqual(states[1].p);
+  });
+
   test('that drops the first leaves the others where they are', () => {
     const session = opened([few, many]);
     const [, second] = session.run(held, null, 4);

@@ -56,7 +56,7 @@ export interface SideBySideService {
     pins: Pins,
     from: Checkpoint | null,
   ): Promise<Outcome<OpenedSideBySide>>;
-  /** Other methods or settings, and fewer or more variants: those that go on keep their motion, and who is new takes the first one's. Not ok: nothing has changed. */
+  /** Other methods or settings, and fewer or more variants: those that go on keep their motion, and who is new takes that of the first that moves. Not ok: nothing has changed. */
   change(variants: readonly Variant[]): Promise<Outcome<ChangedSideBySide>>;
   /** All make so many time steps with the same pins and pull. One that fails stays as it was before and does not hold the others back. */
   run(pins: Pins, pull: Pull | null, steps: number): Promise<VariantState[]>;
@@ -94,7 +94,7 @@ export class SideBySideSession {
 
   change(variants: readonly Variant[]): Outcome<ChangedSideBySide> {
     const from = this.continued(variants);
-    const motion = this.runners[0].motion();
+    const motion = (this.runners.find(({ failure }) => !failure) ?? this.runners[0]).motion();
     const made: VariantRunner[] = [];
     const next = variants.map((variant, at) => {
       const continued = from[at];
