@@ -35,7 +35,7 @@ export const help = `Runs a scene without a page and prints where its vertices e
   --until-gradient N      a step also ends where no vertex that is free feels more than N newtons of the gradient
   --until-decrease E      and once an iteration lowers the objective by no more than E max(1 J, the objective)
   --dt S                  time step in seconds (the scene's)
-  --damping C             of a dashpot beside every spring in N s/m (0)
+  --damping C             of a dashpot beside every spring in N s/m (the scene's)
   --k K                   stiffness of the springs in N/m (the scene's)
   --path fast|plain       how a step is computed (fast): fast holds pins exactly, plain by the penalty w
   --storage sparse|dense  of the matrices of the plain path (sparse); dense is always plain

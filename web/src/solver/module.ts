@@ -144,17 +144,17 @@ export interface VertexProbe {
  *
  * The cursor (step, half_step) is a place in the trace of that time step, with K iterations:
  *   half_step 0 predict · 2k−1 local(k) · 2k global(k), k = 1…K · 2K+1 accept.
- * Everything the trace shows is a pure function of (p^t, p^{t−Δt}, parameters, pins, half_step): stepping back recomputes, bit for bit.
+ * Everything the trace shows is a pure function of (p^t, p^{t−Δt}, parameters, pins, pull, half_step): stepping back recomputes, bit for bit.
  *
  * Every Float64Array returned here is a BORROWED view of wasm memory, valid until the next call on the module: copy what is kept.
  */
 export interface Simulation {
-  /** Has set_scene, set_parameters and set_pins tell, from inside the call, which fraction of a stage is done. */
+  /** Has every call that factorises tell, from inside, which fraction of a stage is done. */
   set_progress(report: (stage: Stage, fraction: number) => void): void;
 
   /** Replaces everything; on failure the previous scene stays, untouched. V #V×3, E #E×2, m #V, pinned #pinned, row-major. Cursor to (1, 0). */
   set_scene(V: Float64Array, E: Int32Array, m: Float64Array, pinned: Int32Array, parameters: Parameters): Status;
-  /** Refactorises when k, delta_t, w or mass_scale changed; on failure the previous parameters stay. */
+  /** Refactorises when k, delta_t, w, mass_scale or damping changed; on failure the previous parameters stay. */
   set_parameters(parameters: Parameters): Status;
   /** The set of pinned vertices and where each is held (#pinned×3). Refactorises only when the SET changed. */
   set_pins(pinned: Int32Array, targets: Float64Array): Status;
@@ -245,7 +245,7 @@ export interface Simulation {
   M(): Triplets;
   C(): Triplets;
   Q(): Triplets;
-  /** AᵀA and the three terms of Q: kAᵀA, M/Δt², wCᵀC. */
+  /** AᵀA and the three terms of Q: kAᵀA, M/Δt², wCᵀC; of dashpots and pulls Q has two more, which are not among them. */
   system_matrix_terms(): { AtA: Triplets; springs: Triplets; masses: Triplets; pins: Triplets };
   /**
    * The matrix of linearly implicit Euler at the settled positions (at accept p, elsewhere p^t), and what it is made of. Coordinate c of vertex i
@@ -270,7 +270,7 @@ export interface Simulation {
   /** The system of these rows and columns, however it is ordered, loaded by gravity. Whoever asked deletes it. */
   solving_example(): SolvingExample;
   y(): Float64Array;
-  /** E(p) of the current time step at any p (#V×3), with its terms: objective, potential, inertia, external, pin. */
+  /** E(p) of the current time step at any p (#V×3), with its terms. */
   objective_at(p: Float64Array): Objective;
   /** #V×3: ∂E/∂p at any p. */
   gradient_at(p: Float64Array): Float64Array;
