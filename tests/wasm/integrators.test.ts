@@ -242,7 +242,7 @@ describe('the stable region', () => {
     expect(swinging('symplectic-euler', 1).stability_limit()).toBe(2);
     expect(swinging('forward-euler', 1).stability_limit()).toBe(0);
     expect(swinging('newton', 1).stability_limit()).toBe(Number.POSITIVE_INFINITY);
-    // ζ = Cω/(2k) = 0.5 for C = k/ω: the roots of a damped forward step leave the unit circle at Δt ω = 2ζ.
+    // ζ = cω/(2k) = 0.5 for c = k/ω: the roots of a damped forward step leave the unit circle at Δt ω = 2ζ.
     expect(swinging('forward-euler', 1, gentle.k / Math.sqrt(2 * gentle.k)).stability_limit()).toBeCloseTo(1, 6);
   });
 

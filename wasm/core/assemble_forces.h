@@ -4,7 +4,7 @@
 
 namespace mass_spring {
 
-/// f(q, q̇), N: of springs, of their dashpots, of pulls, and f^ext. A dashpot resists with C times
+/// f(q, q̇), N: of springs, of their dashpots, of pulls, and f^ext. A dashpot resists with c times
 /// the speed at which its spring lengthens, along the spring. [V] "Assembling"; dashpots: [P]
 /// @param q      #V by 3, m
 /// @param q_dot  #V by 3, m/s

@@ -143,7 +143,7 @@ double FastSystem::gradient(const WidePoints& p, WidePoints& g) const {
   return 0.5 * sum(inertia) + potential;
 }
 
-/// C/Δt n nᵀ(x - x^t), as damping_energy.h explains it.
+/// c/Δt n nᵀ(x - x^t), as damping_energy.h explains it.
 /// @return  J
 double FastSystem::add_dashpot_gradient(const WidePoints& p, WidePoints& g) const {
   double sum_of_squares = 0;  // m²

@@ -101,7 +101,7 @@ class FastSystem {
   BlockSolver solver_;
   double k_ = 0;           // N/m
   double coupling_ = 0;    // N/m: what Q has off its diagonal, its sign turned
-  double resistance_ = 0;  // N/m: C/Δt
+  double resistance_ = 0;  // N/m: c/Δt
   std::vector<Dashpot> dashpots_;
   double pull_k_ = 0;  // N/m
   std::vector<Drawn> drawn_;

@@ -7,7 +7,7 @@ namespace mass_spring {
 
 /// H = ∂²E/∂p², N/m: a spring of length l along the unit vector n adds
 /// ±k [n nᵀ + (1 - r/l)(I - n nᵀ)] to the 3 by 3 blocks of its ends, a mass m/Δt², a pin w and a
-/// pull its stiffness to the diagonal; a dashpot C/Δt n nᵀ like its spring, with the n of p^t.
+/// pull its stiffness to the diagonal; a dashpot c/Δt n nᵀ like its spring, with the n of p^t.
 ///
 /// Across a spring shorter than r, which pushes, E curves downwards: 1 - r/l is negative, and
 /// infinite if the spring has collapsed. Without that share H is positive definite.

@@ -20,7 +20,7 @@ struct Parameters {
   double stop_gradient = 0;  // N: as in StoppingRule
   double stop_decrease = 0;  // dimensionless
   double gravity = 0;        // m/s^2: g = (0, -gravity, 0)
-  double damping = 0;        // C, N s/m: of a dashpot beside every spring
+  double damping = 0;        // c, N s/m: of a dashpot beside every spring
   bool wind = false;
   Path path = Path::plain;
   Storage storage = Storage::sparse;  // of the plain path

@@ -17,7 +17,7 @@ namespace mass_spring {
 Triplets system_matrix(const Edges& E, double k, const Vector& m, double delta_t,
                        const Indices& pinned, double w);
 
-/// The same of a time step that may have dashpots, which add C/Δt to k, and pulls, which add their
+/// The same of a time step that may have dashpots, which add c/Δt to k, and pulls, which add their
 /// stiffness where a pin would add w.
 Triplets system_matrix(const TimeStep& step);
 

@@ -20,7 +20,7 @@ struct TimeStep {
   double k = 0;        // N/m
   double delta_t = 0;  // s
   double w = 0;        // N/m
-  double damping = 0;  // C, N s/m: of the dashpot beside every spring
+  double damping = 0;  // c, N s/m: of the dashpot beside every spring
   Indices pinned;      // #pinned
   Points targets;      // #pinned by 3, m: where each pinned vertex is held
   Pull pull;
@@ -29,7 +29,7 @@ struct TimeStep {
   Points f_ext;   // #V by 3, N
 };
 
-/// N/m: how stiffly Q couples the ends of a spring, k + C/Δt.
+/// N/m: how stiffly Q couples the ends of a spring, k + c/Δt.
 inline double coupling(const TimeStep& step) { return step.k + step.damping / step.delta_t; }
 
 /// Where the iteration stands.

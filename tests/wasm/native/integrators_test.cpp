@@ -281,18 +281,18 @@ TEST_CASE("two masses on a line follow the recurrence of implicit Euler") {
 }
 
 TEST_CASE("forward and symplectic Euler follow their recurrences, damped") {
-  const double m = 0.5, k = 80, delta_t = 0.004, C = 0.3;
-  const double squared = 2 * k / m, c = 2 * C / m;  // ω² and the damping of the stretch
+  const double m = 0.5, k = 80, delta_t = 0.004, c = 0.3;
+  const double squared = 2 * k / m, resistance = 2 * c / m;  // ω² and the damping of the stretch
   for (const bool forward : {true, false}) {
     TimeStep step = pair_of_masses(0.2, m, k, delta_t);
-    step.damping = C;
+    step.damping = c;
     double x = 0.2, v = 0;
     for (int t = 0; t < 100; ++t) {
       const Points next =
           forward ? step_by(ForwardEuler(), step) : step_by(SymplecticEuler(), step);
       step.p_prev = forward ? forward_euler_previous(step) : step.p_curr;
       step.p_curr = next;
-      const double a = -squared * x - c * v;
+      const double a = -squared * x - resistance * v;
       if (forward) x += delta_t * v;
       v += delta_t * a;
       if (!forward) x += delta_t * v;
@@ -330,11 +330,11 @@ TEST_CASE(
     "the damping ratio of the fastest oscillation is that of its dashpots, and a pull has none") {
   TimeStep step = pair_of_masses(0, 0.5, 80, 1);
   step.damping = 3;
-  // Two halves of a kilogram: the stretch is slowed by 2C/m of its velocity, 2ζω, with ω² = 2k/m.
+  // Two halves of a kilogram: the stretch is slowed by 2c/m of its velocity, 2ζω, with ω² = 2k/m.
   CHECK(fastest_oscillation(step, step.p_curr).zeta ==
         doctest::Approx(2 * 3 / 0.5 / (2 * std::sqrt(2 * 80 / 0.5))));
   // Pulled so much harder than by its spring, vertex 1 oscillates by itself, in any direction: its
-  // dashpot slows it by no more than C/m.
+  // dashpot slows it by no more than c/m.
   step.pull.vertices = Indices{{1}};
   step.pull.targets = step.p_curr.row(1);
   step.pull.k = 1e12;
@@ -348,7 +348,7 @@ TEST_CASE("explicit methods hold an oscillation up to their limits, and not beyo
     for (const double zeta : {0.0, 0.3, 1.5}) {
       const double limit = stability_limit(method, zeta);
       for (const double share : {0.98, 1.02}) {
-        // ω = √2 of masses of 1 kg on 1 N/m; ζ = C ω/(2k).
+        // ω = √2 of masses of 1 kg on 1 N/m; ζ = c ω/(2k).
         const double omega = std::sqrt(2.0), delta_t = (limit == 0 ? 0.2 : share * limit) / omega;
         TimeStep step = pair_of_masses(0.001, 1, 1, delta_t);
         step.damping = 2 * zeta / omega;

@@ -86,7 +86,7 @@ export interface Parameters {
   stop_decrease: number;
   /** m/s²: g = (0, −gravity, 0). */
   gravity: number;
-  /** C, N·s/m: of a dashpot beside every spring, 0 for none. The methods that minimise take its direction at p^t and its velocity at t+Δt. */
+  /** c, N·s/m: of a dashpot beside every spring, 0 for none. The methods that minimise take its direction at p^t and its velocity at t+Δt. */
   damping: number;
   /** Whether the course's wind blows. */
   wind: boolean;
