@@ -13,10 +13,14 @@ void FastSystem::analyse(const Points& V, const Edges& E, const Vector& r, const
   const int n = static_cast<int>(V.rows());
   free_count_ = n - static_cast<int>(pinned.size());
   row_.assign(n, 0);
-  for (int c = 0; c < pinned.size(); ++c) row_[pinned(c)] = free_count_ + c;
+  for (const int i : pinned) row_[i] = free_count_;
   std::vector<int> unpinned;  // vertices, in the order of the scene
+  int pinned_row = free_count_;
   for (int i = 0; i < n; ++i) {
-    if (row_[i] >= free_count_) continue;
+    if (row_[i] >= free_count_) {
+      row_[i] = pinned_row++;  // whatever the order in which pins are listed
+      continue;
+    }
     row_[i] = static_cast<int>(unpinned.size());
     unpinned.push_back(i);
   }
