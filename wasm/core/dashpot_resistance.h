@@ -8,7 +8,7 @@ namespace mass_spring {
 /// its ends against each other.
 /// @param q0       m
 /// @param q1       m
-/// @param damping  C, N s/m
+/// @param damping  c, N s/m
 Eigen::Matrix3d dashpot_resistance(const Eigen::Vector3d& q0, const Eigen::Vector3d& q1,
                                    double damping);
 
