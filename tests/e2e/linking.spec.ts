@@ -39,8 +39,8 @@ test('a line of code marks its symbols in the formulas, with the keyboard alone'
   await page.locator('.half-local .in-code summary').press('Enter');
   await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: /^Line 1: / }).first()).toBeFocused();
-  for (let line = 1; line < 11; line++) await page.keyboard.press('ArrowDown');
-  await expect(page.getByRole('button', { name: 'Line 11: d.row(e) *= r(e) / length;' })).toBeFocused();
+  for (let line = 1; line < 8; line++) await page.keyboard.press('ArrowDown');
+  await expect(page.getByRole('button', { name: 'Line 8: d.row(e) *= r(e) / length;' })).toBeFocused();
   for (const id of ['d', 'r'])
     await expect(occurrences(page, '.half-local .equation-formulas', id).first()).toHaveCSS('box-shadow', marked);
   await expect(occurrences(page, '.half-local .equation-formulas', 'p').first()).not.toHaveCSS('box-shadow', marked);
@@ -267,7 +267,7 @@ for (const language of ['en', 'zh'])
     await expect(page.locator('.card[data-kind="vertex"]')).toBeVisible();
     expect(await seriousViolations(page)).toEqual([]);
     await page.locator('.half-local .in-code summary').click();
-    await page.locator('.half-local [data-line="local_step.cpp 11"] .code-line').focus();
+    await page.locator('.half-local [data-line="local_step.cpp 8"] .code-line').focus();
     await expect(page.locator('.card[data-kind="line"]')).toContainText('local_step.cpp');
     expect(await seriousViolations(page)).toEqual([]);
   });
