@@ -11,6 +11,7 @@
 
 #include "elimination.h"
 #include "inertial_prediction.h"
+#include "inverse_kinematics.h"
 #include "matrix_in_order.h"
 #include "mistaken_simulation.h"
 #include "ordering.h"
@@ -189,6 +190,36 @@ int vertices(const Simulation& simulation) { return simulation.time_step().p_cur
 int springs(const Simulation& simulation) { return simulation.time_step().E.rows(); }
 int pins(const Simulation& simulation) { return simulation.time_step().pinned.size(); }
 
+/// @param task  as module.ts has it
+val inverse_kinematics(const val& task) {
+  kinematics::Task given;
+  given.offsets = doubles(task["offsets"]);
+  given.root = doubles(task["root"]);
+  given.start = doubles(task["start"]);
+  given.target = doubles(task["target"]);
+  given.method =
+      named<kinematics::Method>(task["method"].as<std::string>(), kinematics::method_names());
+  given.settings = {task["iterations"].as<int>(), task["epsilon"].as<double>()};
+  given.single_precision = task["precision"].as<std::string>() == "single";
+  kinematics::Answer answer;
+  const Status status = kinematics::inverse_kinematics(given, answer);
+  val found = val::object();
+  found.set("outcome", kinematics::outcome_names()[static_cast<int>(answer.outcome)]);
+  found.set("iterations", answer.iterations);
+  found.set("error", answer.error);
+  found.set("x", copy("Float64Array", answer.x));
+  found.set("q", copy("Float64Array", answer.q));
+  found.set("errors", copy("Float64Array", answer.errors));
+  found.set("events", copy("Int32Array", answer.events));
+  found.set("event_x", copy("Float64Array", answer.event_x));
+  val object = val::object();
+  object.set("status", status);
+  object.set("answer", found);
+  return object;
+}
+val ik_outcomes() { return val::array(kinematics::outcome_names()); }
+val ik_methods() { return val::array(kinematics::method_names()); }
+
 val status_codes() { return val::array(status_code_names()); }
 val methods() { return val::array(method_names()); }
 val orderings() { return val::array(ordering_names()); }
@@ -203,6 +234,9 @@ EMSCRIPTEN_BINDINGS(solver) {
   function("methods", &methods);
   function("orderings", &orderings);
   function("mistakes", &mistakes);
+  function("inverse_kinematics", &inverse_kinematics);
+  function("ik_outcomes", &ik_outcomes);
+  function("ik_methods", &ik_methods);
 
   value_object<Status>("Status")
       .field("code", &code, &set_code)

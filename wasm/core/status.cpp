@@ -20,6 +20,7 @@ const std::vector<std::string>& status_code_names() {
       "factorisation_failed",
       "diverged",
       "unstable",
+      "on_root",
   };
   return names;
 }

@@ -22,6 +22,7 @@ enum class StatusCode {
   factorisation_failed,
   diverged,
   unstable,
+  on_root,
 };
 
 /// What a call that can fail returns. Without exceptions in the module, every error is such a

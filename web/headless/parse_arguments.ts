@@ -1,5 +1,6 @@
 import { parseArgs } from 'node:util';
 import { type Method, methods } from '../src/solver/module.ts';
+import { notNegative, oneOf, positive, wholeNumber } from './option_values.ts';
 import { UsageError } from './usage_error.ts';
 
 export interface Arguments {
@@ -110,30 +111,4 @@ export function parseArguments(args: string[]): Arguments | null {
 function pathFor(path: 'fast' | 'plain', storage: string): 'fast' | 'plain' {
   if (path === 'fast' && storage === 'dense') throw new UsageError('--path: "fast" has no dense storage');
   return path;
-}
-
-function positive(option: string, text: string): number {
-  const value = Number(text);
-  if (!(value > 0 && Number.isFinite(value))) throw new UsageError(`${option}: "${text}" is not a positive number`);
-  return value;
-}
-
-function notNegative(option: string, text: string): number {
-  const value = Number(text);
-  if (text.trim() === '' || !(value >= 0 && Number.isFinite(value)))
-    throw new UsageError(`${option}: "${text}" is not 0 or a positive number`);
-  return value;
-}
-
-function wholeNumber(option: string, text: string): number {
-  const value = Number(text);
-  if (!(value > 0 && Number.isSafeInteger(value)))
-    throw new UsageError(`${option}: "${text}" is not a whole number from 1 on`);
-  return value;
-}
-
-function oneOf<T extends string>(option: string, text: string, choices: readonly T[]): T {
-  const choice = choices.find((known) => known === text);
-  if (choice === undefined) throw new UsageError(`${option}: "${text}" is not one of ${choices.join(', ')}`);
-  return choice;
 }

@@ -17,6 +17,7 @@ const sentences: Record<StatusCode, string> = {
   too_large: '{{value}} bytes are more than the {{limit}} that the solver takes',
   factorisation_failed: 'Q is not positive definite to machine precision',
   diverged: 'became {{value}} in this time step',
+  on_root: 'lies on the root, so that no direction leads to it',
   unstable: 'left its stable region: Δt·ω = {{value}} > {{limit}}',
 };
 

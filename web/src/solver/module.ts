@@ -1,5 +1,6 @@
 /** Hand-written types of the WebAssembly module (Debian's Emscripten has no --emit-tsd); tests/wasm/module.test.ts holds them to the real one. */
 
+import type { IkAnswer, IkMethod, IkTask } from './inverse_kinematics.ts';
 import type { MistakenSimulation } from './mistaken_simulation.ts';
 
 /** The names of StatusCode in wasm/core/status.h, same spelling, same order. */
@@ -20,6 +21,7 @@ export const statusCodes = [
   'factorisation_failed',
   'diverged',
   'unstable',
+  'on_root',
 ] as const;
 export type StatusCode = (typeof statusCodes)[number];
 
@@ -345,6 +347,11 @@ export interface SolverModule {
   MistakenSimulation: new () => MistakenSimulation;
   SolvingExample: new (side: number) => SolvingExample;
   Elimination: { prototype: Elimination };
+  /** The answer is meaningless where the status is not ok. */
+  inverse_kinematics(task: IkTask): { status: Status; answer: IkAnswer };
+  /** Of every outcome and method of inverse kinematics. */
+  ik_outcomes(): string[];
+  ik_methods(): IkMethod[];
   /** The spelling of every StatusCode, in order: tests hold `statusCodes` above to it. */
   status_codes(): string[];
   /** Of every Method, Mistake and Ordering, likewise. */

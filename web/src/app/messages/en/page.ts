@@ -276,6 +276,7 @@ export const page = {
       'This would need {{value}} of memory, and the solver takes {{limit}} at most. Everything stays as it was.',
     factorisation_failed:
       'Q could not be factorised: it is not positive definite to machine precision. The values before stay.',
+    on_root: 'The target lies on the root of the chain, so that no direction leads to it.',
     unstable:
       '{{method}} left its stable region: Δt·ω = {{value}} > {{limit}}, ω being the fastest oscillation of the springs. The step was undone.',
     diverged: 'Vertex {{index}} became {{value}} in this time step. The step was undone and the clock stopped.',

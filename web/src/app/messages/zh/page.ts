@@ -265,6 +265,7 @@ export const page = {
       '刚度数 Σk·Δt²/m 将达到 {{value}}，超过双精度可解的上限 {{limit}}。已保留原值：请减小 k 或 Δt，或增大质量。',
     too_large: '这需要 {{value}} 内存，超过求解器允许的 {{limit}}。一切保持原状。',
     factorisation_failed: 'Q 无法分解：在机器精度下不正定。已保留原值。',
+    on_root: '目标点与链的根关节重合，没有指向它的方向。',
     unstable: '{{method}}已超出稳定区域：Δt·ω = {{value}} > {{limit}}（ω 为弹簧系统的最高频率）。该步已撤销。',
     diverged: '质点 {{index}} 在这一时间步中变成了 {{value}}。该步已撤销，时钟已停止。',
   },

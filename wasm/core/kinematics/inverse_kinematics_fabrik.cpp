@@ -1,0 +1,38 @@
+#include "inverse_kinematics_fabrik.h"
+
+#include "search.h"
+
+namespace kinematics {
+
+template <typename Scalar>
+Solution<Scalar> inverse_kinematics_fabrik(const Chain<Scalar>& chain, const Pose<Scalar>& start,
+                                           const typename Chain<Scalar>::Vector3& target,
+                                           const Settings& settings) {
+  using Vector3 = typename Chain<Scalar>::Vector3;
+  return search(chain, start, target, settings,
+                [&](Pose<Scalar>& pose, int iteration, auto& events) {
+                  std::vector<Vector3> x = pose.x;
+                  const int last = chain.joints() - 1;
+                  // The joint `moved` goes to where it is as far from `from` as their link is long.
+                  const auto pull = [&](int from, int moved, int link) {
+                    const Vector3 apart = x[moved] - x[from];
+                    const Scalar length = chain.offsets[link].norm(), distance = apart.norm();
+                    x[moved] = x[from] + (distance > 0 ? (length / distance * apart).eval()
+                                                       : (length * Vector3::UnitX()).eval());
+                  };
+                  x[last] = target;
+                  for (int i = last - 1; i >= 0; --i) pull(i + 1, i, i);
+                  events.push_back({iteration, Event<Scalar>::Kind::backward, -1, x});
+                  x[0] = chain.root;
+                  for (int i = 0; i < last; ++i) pull(i, i + 1, i);
+                  events.push_back({iteration, Event<Scalar>::Kind::forward, -1, x});
+                  rotations_from_positions(chain, x, pose);
+                });
+}
+
+template Solution<double> inverse_kinematics_fabrik(const Chain<double>&, const Pose<double>&,
+                                                    const Eigen::Vector3d&, const Settings&);
+template Solution<float> inverse_kinematics_fabrik(const Chain<float>&, const Pose<float>&,
+                                                   const Eigen::Vector3f&, const Settings&);
+
+}  // namespace kinematics
