@@ -7,8 +7,8 @@
 
 namespace kinematics {
 
-/// How a search for a pose ended: the end effector is within ε of the target; it no longer moves;
-/// no pose reaches the target, and it is as near as any; or the iterations ran out.
+/// How a search for a pose ended: the end effector is within ε of the target; nothing moves any
+/// more; no pose reaches the target, and this is the nearest; or all iterations are made.
 enum class Outcome { converged, stalled, unreachable, max_iterations };
 
 /// The spelling of every Outcome, in order.

@@ -3,6 +3,7 @@ import type { Actions } from '../../app/actions.ts';
 import { IntegratorsSession } from '../../app/integrators_session.ts';
 import { roomKeys } from '../../app/room_keys.ts';
 import type { SideBySide } from '../../app/side_by_side.ts';
+import { sideBySideKey } from '../../app/side_by_side_keys.ts';
 
 /** The page's simulations and their clock, which the keys move; the springs lab's own stands still. */
 export function useSession(actions: Actions): SideBySide {
@@ -10,7 +11,7 @@ export function useSession(actions: Actions): SideBySide {
   const { run } = session;
   useEffect(() => {
     actions.pause();
-    roomKeys.value = (key) => clockKey(run, key);
+    roomKeys.value = (key) => labKey(run, key);
     const stop = session.follow();
     return () => {
       stop();
@@ -35,22 +36,9 @@ function useGoingOn(run: SideBySide): void {
   );
 }
 
-/** Space and arrow down: one time step; A: play or pause; R: from the start; I: the same instant. Returns whether the key meant something. */
-function clockKey(run: SideBySide, key: string): boolean {
-  const next = () => {
-    run.playing.value = false;
-    void run.run(1);
-  };
-  const meanings: Record<string, () => void> = {
-    ' ': next,
-    ArrowDown: next,
-    a: () => {
-      run.playing.value = run.alive.value && !run.playing.value;
-    },
-    r: () => void run.reset(),
-    i: () => void run.sameInstant(run.leader.peek()),
-  };
-  const meaning = meanings[key.length === 1 ? key.toLowerCase() : key];
-  meaning?.();
-  return meaning !== undefined;
+/** The clock's keys, and I: the same instant. Returns whether the key meant something. */
+function labKey(run: SideBySide, key: string): boolean {
+  if (key.toLowerCase() !== 'i') return sideBySideKey(run, key);
+  void run.sameInstant(run.leader.peek());
+  return true;
 }
