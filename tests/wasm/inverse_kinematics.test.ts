@@ -18,10 +18,13 @@ function task(target: readonly number[], given: Partial<IkTask> = {}, links: rea
     offsets: Float64Array.from(links.flatMap((length) => [0, -length, 0])),
     root: Float64Array.of(0, 1.7, 0),
     start: new Float64Array(),
+    start_q: new Float64Array(),
     target: Float64Array.from(target),
     method: 'ccd',
     iterations: 100,
     epsilon: 1e-4,
+    turn_limit: Math.PI,
+    bend_limits: new Float64Array(),
     precision: 'double',
     ...given,
   };
@@ -67,11 +70,14 @@ test('the names are those of the interface, and a call returns what it says', ()
       outcome: 'CONVERGED',
       iterations: expect.any(Number),
       error: expect.any(Number),
+      start_x: doubles,
+      start_q: doubles,
       x: doubles,
       q: doubles,
       errors: doubles,
       events: indices,
       event_x: doubles,
+      event_q: doubles,
     },
   });
 });
@@ -197,6 +203,99 @@ test('in single precision, by the cosine, CCD stalls before it is near enough; F
   expect(fabrik.every(({ outcome }) => outcome === 'CONVERGED')).toBe(true);
 });
 
+describe.each(ikMethods)('%s with limits', (method) => {
+  const reachable = fc
+    .tuple(...Array.from({ length: 3 }, () => fc.double({ min: -1, max: 1, noNaN: true })))
+    .filter((d) => Math.hypot(...d) > 0.3 && Math.hypot(...d) < 1)
+    .map(([x, y, z]) => [1.2 * x, 1.7 + 1.2 * y, 1.2 * z]);
+
+  /** rad: between joint i's link and the one before, or straight down. */
+  const bends = (x: Float64Array) =>
+    Array.from({ length: x.length / 3 - 1 }, (_, i) => {
+      const before = i === 0 ? new Vector3(0, -1, 0) : joint(x, i).sub(joint(x, i - 1));
+      return before.angleTo(joint(x, i + 1).sub(joint(x, i)));
+    });
+
+  test('no joint bends its link further than it may, and no link changes its length', () => {
+    const limits = fc.array(fc.double({ min: 0.05, max: 3, noNaN: true }), { minLength: 4, maxLength: 4 });
+    fc.assert(
+      fc.property(reachable, limits, (target, bend_limits) => {
+        const answer = solve(task(target, { method, bend_limits: Float64Array.from(bend_limits) }));
+        bends(answer.x).forEach((bend, i) => {
+          expect(bend).toBeLessThan(bend_limits[i] + 1e-7); // acos near 0 and π knows no more
+        });
+        linkLengths(answer.x).forEach((length, i) => {
+          expect(Math.abs(length - labLinks[i])).toBeLessThan(1e-12);
+        });
+        expect(['CONVERGED', 'STALLED', 'MAX_ITERATIONS']).toContain(answer.outcome);
+      }),
+      { numRuns: 100 },
+    );
+  });
+
+  test('no joint turns further between two targets than it may, and limits that are never met change nothing', () => {
+    const most = 0.2; // rad
+    fc.assert(
+      fc.property(reachable, reachable, (from, to) => {
+        const before = solve(task(from, { method }));
+        const { q, x } = solve(task(to, { method, start_q: before.q, turn_limit: most }));
+        for (let i = 0; i < 5; i++) {
+          const [a, b] = [before.q, q].map((all) => new Quaternion().fromArray(all, 4 * i));
+          expect(a.angleTo(b)).toBeLessThan(most + 1e-7);
+        }
+        const free = solve(task(to, { method, start_q: before.q }));
+        const wide = solve(task(to, { method, start_q: before.q, bend_limits: new Float64Array(4).fill(Math.PI) }));
+        expect(free.x.length).toBe(x.length);
+        wide.x.forEach((value, c) => {
+          expect(value).toBeCloseTo(free.x[c], 9); // FABRIK's positions pass through rotations either way
+        });
+      }),
+      { numRuns: 100 },
+    );
+  });
+
+  test('with a turn limit, target after target, the arm gets to where it gets without one', () => {
+    let answer = solve(task([0.6, 0, 0], { method }));
+    for (let frame = 0; frame < 100; frame++)
+      answer = solve(task([-0.6, 0, 0.3], { method, start_q: answer.q, turn_limit: 0.1 }));
+    expect(answer.outcome).toBe('CONVERGED');
+    let far = solve(task([0.6, 0, 0], { method }));
+    for (let frame = 0; frame < 100; frame++)
+      far = solve(task([3, 1.7, 0], { method, start_q: far.q, turn_limit: 0.1 }));
+    expect(far.outcome).toBe('UNREACHABLE');
+    expect(far.x.at(-3)).toBeCloseTo(2.6, 12);
+  });
+
+  test('what lies out of reach is unreachable under limits, too, and stiff joints stall', () => {
+    const bend_limits = Float64Array.of(0.5, 0.5, 0.5, 0.5);
+    expect(solve(task([0, 5, 0], { method, bend_limits })).outcome).toBe('UNREACHABLE');
+    const stiff = solve(task([0.6, 0, 0], { method, bend_limits: new Float64Array(4) }));
+    expect(stiff.outcome).toBe('STALLED');
+    stiff.x.forEach((value, c) => {
+      expect(Math.abs(value - stiff.start_x[c])).toBeLessThan(1e-14); // rounding
+    });
+  });
+
+  test('the events lead from where the search began to where it ended', () => {
+    for (const target of [
+      [0.5, 0.2, 0.3],
+      [0, 1, 0],
+      [3, 1.7, 0],
+    ]) {
+      for (const limits of [{}, { turn_limit: 0.3 }]) {
+        const { start_x, start_q, event_x, event_q, events, x, q } = solve(task(target, { method, ...limits }));
+        expect(linkLengths(start_x)).toHaveLength(4);
+        expect(start_q).toHaveLength(20);
+        const last = events.length / 3 - 1;
+        x.forEach((value, c) => {
+          expect(Math.abs(value - event_x[15 * last + c])).toBeLessThan(1e-12); // as above
+        });
+        expect([...event_q.subarray(20 * last)]).toEqual([...q]);
+      }
+    }
+  });
+});
+
 test.each([
   [task([1, 0, 0], {}, [0.5, 0, 0.5]), { code: 'not_positive', field: 'links', index: 1, value: 0 }],
   [task([0, 1.7, 0]), { code: 'on_root', field: 'target' }],
@@ -206,6 +305,14 @@ test.each([
   [task([1, 0, 0], { start: new Float64Array(12) }), { code: 'wrong_length', field: 'start', value: 12 }],
   [task([1, 0, 0], { start: new Float64Array(15) }), { code: 'not_positive', field: 'start', index: 0 }],
   [task([1, 0, 0], { iterations: 0 }), { code: 'not_positive', field: 'iterations', value: 0 }],
+  [task([1, 0, 0], { start_q: new Float64Array(4) }), { code: 'wrong_length', field: 'start_q', value: 4 }],
+  [task([1, 0, 0], { start_q: new Float64Array(20) }), { code: 'not_positive', field: 'start_q', index: 0 }],
+  [task([1, 0, 0], { turn_limit: 0 }), { code: 'not_positive', field: 'turn_limit', value: 0 }],
+  [task([1, 0, 0], { bend_limits: Float64Array.of(1) }), { code: 'wrong_length', field: 'bend_limits', value: 1 }],
+  [
+    task([1, 0, 0], { bend_limits: Float64Array.of(1, 1, -1, 1) }),
+    { code: 'negative', field: 'bend_limits', index: 2 },
+  ],
   [task([1, 0, 0], { epsilon: 0 }), { code: 'not_positive', field: 'epsilon', value: 0 }],
 ])('refuses %j', (given, status) => {
   expect(solver.inverse_kinematics(given).status).toMatchObject(status);

@@ -196,10 +196,12 @@ val inverse_kinematics(const val& task) {
   given.offsets = doubles(task["offsets"]);
   given.root = doubles(task["root"]);
   given.start = doubles(task["start"]);
+  given.start_q = doubles(task["start_q"]);
   given.target = doubles(task["target"]);
   given.method =
       named<kinematics::Method>(task["method"].as<std::string>(), kinematics::method_names());
-  given.settings = {task["iterations"].as<int>(), task["epsilon"].as<double>()};
+  given.settings = {task["iterations"].as<int>(), task["epsilon"].as<double>(),
+                    task["turn_limit"].as<double>(), doubles(task["bend_limits"])};
   given.single_precision = task["precision"].as<std::string>() == "single";
   kinematics::Answer answer;
   const Status status = kinematics::inverse_kinematics(given, answer);
@@ -207,11 +209,14 @@ val inverse_kinematics(const val& task) {
   found.set("outcome", kinematics::outcome_names()[static_cast<int>(answer.outcome)]);
   found.set("iterations", answer.iterations);
   found.set("error", answer.error);
+  found.set("start_x", copy("Float64Array", answer.start_x));
+  found.set("start_q", copy("Float64Array", answer.start_q));
   found.set("x", copy("Float64Array", answer.x));
   found.set("q", copy("Float64Array", answer.q));
   found.set("errors", copy("Float64Array", answer.errors));
   found.set("events", copy("Int32Array", answer.events));
   found.set("event_x", copy("Float64Array", answer.event_x));
+  found.set("event_q", copy("Float64Array", answer.event_q));
   val object = val::object();
   object.set("status", status);
   object.set("answer", found);

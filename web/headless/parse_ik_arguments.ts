@@ -59,10 +59,13 @@ export function parseIkArguments(args: string[]): IkTask | null {
     offsets: Float64Array.from(lengths.flatMap((length) => [0, -length, 0])),
     root: point('--root', root),
     start: Float64Array.from(start === undefined ? [] : joints(start, lengths.length + 1)),
+    start_q: new Float64Array(),
     target: point('--target', target),
     method: oneOf('--method', method, ikMethods),
     iterations: wholeNumber('--iterations', iterations),
     epsilon: positive('--epsilon', epsilon),
+    turn_limit: Math.PI,
+    bend_limits: new Float64Array(),
     precision: oneOf('--precision', precision, ['double', 'single']),
   };
 }

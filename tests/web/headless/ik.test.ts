@@ -32,10 +32,13 @@ test('the lab’s chain hangs straight down unless told otherwise', () => {
     offsets: Float64Array.of(0, -0.8, 0, 0, -0.4, 0, 0, -0.2, 0, 0, -1.2, 0),
     root: Float64Array.of(0, 1.7, 0),
     start: new Float64Array(),
+    start_q: new Float64Array(),
     target: Float64Array.of(-1, 0, 2),
     method: 'ccd',
     iterations: 100,
     epsilon: 1e-4,
+    turn_limit: Math.PI,
+    bend_limits: new Float64Array(),
     precision: 'double',
   });
 });
@@ -47,10 +50,13 @@ test('takes all options', () => {
     offsets: Float64Array.of(0, -1, 0, 0, -2, 0),
     root: Float64Array.of(-1, 0, 0),
     start: Float64Array.of(-1, 0, 0, 0, 0, 0, 0, 2, 0),
+    start_q: new Float64Array(),
     target: Float64Array.of(1, 1, 1),
     method: 'least-squares',
     iterations: 7,
     epsilon: 0.01,
+    turn_limit: Math.PI,
+    bend_limits: new Float64Array(),
     precision: 'single',
   });
   expect(parseIkArguments(['--help'])).toBeNull();

@@ -34,6 +34,41 @@ Status validate_settings(const Settings& settings) {
     return {StatusCode::not_finite, "epsilon", -1, settings.epsilon};
   }
   if (settings.epsilon <= 0) return {StatusCode::not_positive, "epsilon", -1, settings.epsilon};
+  if (!std::isfinite(settings.turn_limit)) {
+    return {StatusCode::not_finite, "turn_limit", -1, settings.turn_limit};
+  }
+  if (settings.turn_limit <= 0) {
+    return {StatusCode::not_positive, "turn_limit", -1, settings.turn_limit};
+  }
+  return {};
+}
+
+Status validate_bend_limits(const std::vector<double>& limits, int links) {
+  const int count = static_cast<int>(limits.size());
+  if (count != 0 && count != links) {
+    return {StatusCode::wrong_length, "bend_limits", -1, static_cast<double>(count)};
+  }
+  for (int i = 0; i < count; ++i) {
+    if (!std::isfinite(limits[i])) return {StatusCode::not_finite, "bend_limits", i, limits[i]};
+    if (limits[i] < 0) return {StatusCode::negative, "bend_limits", i, limits[i]};
+  }
+  return {};
+}
+
+Eigen::Quaterniond rotation(const std::vector<double>& q, int i) {
+  return Eigen::Quaterniond(Eigen::Map<const Eigen::Vector4d>(q.data() + 4 * i));
+}
+
+Status validate_rotations(const std::vector<double>& q, int joints) {
+  const int count = static_cast<int>(q.size());
+  if (count != 0 && count != 4 * joints) {
+    return {StatusCode::wrong_length, "start_q", -1, static_cast<double>(count)};
+  }
+  for (int i = 0; i < count / 4; ++i) {
+    const double norm = rotation(q, i).norm();
+    if (!std::isfinite(norm)) return {StatusCode::not_finite, "start_q", i, norm};
+    if (norm == 0) return {StatusCode::not_positive, "start_q", i, norm};
+  }
   return {};
 }
 
@@ -48,12 +83,13 @@ Status validate_links(const std::string& field, const std::vector<Eigen::Vector3
 
 Status validate(const Task& task) {
   const int links = static_cast<int>(task.offsets.size() / 3);
-  const int given = task.start.empty() ? 0 : links + 1;
+  const int given = task.start.empty() || !task.start_q.empty() ? 0 : links + 1;
   for (const Status& status :
        {links > 0 ? Status{} : Status{StatusCode::wrong_length, "links", -1, 0},
         validate_points("links", task.offsets, links), validate_points("root", task.root, 1),
         validate_points("target", task.target, 1), validate_points("start", task.start, given),
-        validate_settings(task.settings)}) {
+        validate_rotations(task.start_q, links + 1), validate_settings(task.settings),
+        validate_bend_limits(task.settings.bend_limits, links)}) {
     if (!status.ok()) return status;
   }
   std::vector<Eigen::Vector3d> offsets, starts;
@@ -80,6 +116,12 @@ Answer solve(const Task& task) {
     for (int i = 0; i < chain.joints(); ++i) x.push_back(row(task.start, i).cast<Scalar>());
     rotations_from_positions(chain, x, start);
   }
+  if (!task.start_q.empty()) {
+    for (int i = 0; i < chain.joints(); ++i) {
+      start.q[i] = rotation(task.start_q, i).normalized().template cast<Scalar>();
+    }
+    forward_kinematics(chain, 0, start);
+  }
   const Vector3 target = row(task.target, 0).cast<Scalar>();
   const auto method = task.method == Method::ccd      ? inverse_kinematics_ccd<Scalar>
                       : task.method == Method::fabrik ? inverse_kinematics_fabrik<Scalar>
@@ -93,6 +135,8 @@ Answer solve(const Task& task) {
   answer.outcome = solution.outcome;
   answer.iterations = solution.iterations;
   answer.error = (solution.pose.effector() - target).norm();
+  for (const auto& x : solution.start.x) add(answer.start_x, x);
+  for (const auto& q : solution.start.q) add(answer.start_q, q.coeffs());
   for (const auto& x : solution.pose.x) add(answer.x, x);
   for (const auto& q : solution.pose.q) add(answer.q, q.coeffs());
   add(answer.errors, solution.errors);
@@ -100,6 +144,7 @@ Answer solve(const Task& task) {
     answer.events.insert(answer.events.end(),
                          {event.iteration, static_cast<int>(event.kind), event.joint});
     for (const auto& x : event.x) add(answer.event_x, x);
+    for (const auto& q : event.q) add(answer.event_q, q.coeffs());
   }
   return answer;
 }

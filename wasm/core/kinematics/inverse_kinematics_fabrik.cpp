@@ -9,7 +9,8 @@ Solution<Scalar> inverse_kinematics_fabrik(const Chain<Scalar>& chain, const Pos
                                            const typename Chain<Scalar>::Vector3& target,
                                            const Settings& settings) {
   using Vector3 = typename Chain<Scalar>::Vector3;
-  return search(chain, start, target, settings,
+  const JointLimits<Scalar> limits(chain, start, settings);
+  return search(chain, start, target, settings, limits,
                 [&](Pose<Scalar>& pose, int iteration, auto& events) {
                   std::vector<Vector3> x = pose.x;
                   const int last = chain.joints() - 1;
@@ -22,11 +23,15 @@ Solution<Scalar> inverse_kinematics_fabrik(const Chain<Scalar>& chain, const Pos
                   };
                   x[last] = target;
                   for (int i = last - 1; i >= 0; --i) pull(i + 1, i, i);
-                  events.push_back({iteration, Event<Scalar>::Kind::backward, -1, x});
+                  events.push_back({iteration, Event<Scalar>::Kind::backward, -1, x, pose.q});
                   x[0] = chain.root;
                   for (int i = 0; i < last; ++i) pull(i, i + 1, i);
-                  events.push_back({iteration, Event<Scalar>::Kind::forward, -1, x});
                   rotations_from_positions(chain, x, pose);
+                  events.push_back({iteration, Event<Scalar>::Kind::forward, -1, x, pose.q});
+                  if (limits.any()) {
+                    limits.hold(pose);
+                    events.push_back({iteration, Event<Scalar>::Kind::limit, -1, pose.x, pose.q});
+                  }
                 });
 }
 

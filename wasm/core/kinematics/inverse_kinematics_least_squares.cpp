@@ -14,8 +14,9 @@ Solution<Scalar> inverse_kinematics_least_squares(const Chain<Scalar>& chain,
   using Vector3 = typename Chain<Scalar>::Vector3;
   using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
   Scalar share = 1;  // of the squared distance: λ²
+  const JointLimits<Scalar> limits(chain, start, settings);
   return search(
-      chain, start, target, settings, [&](Pose<Scalar>& pose, int iteration, auto& events) {
+      chain, start, target, settings, limits, [&](Pose<Scalar>& pose, int iteration, auto& events) {
         const Vector3 missing = target - pose.effector();
         Matrix3 JJT = Matrix3::Zero();  // m²: Σ |r|²I - r rᵀ, r from each joint to the effector
         for (int i = 0; i + 1 < chain.joints(); ++i) {
@@ -32,7 +33,7 @@ Solution<Scalar> inverse_kinematics_least_squares(const Chain<Scalar>& chain,
             const Scalar angle = turn.norm();
             if (angle == 0) continue;
             const Vector3 axis = pose.R[i].conjugate() * (turn / angle);
-            next.q[i] = (pose.q[i] * Eigen::AngleAxis<Scalar>(angle, axis)).normalized();
+            next.q[i] = limits.hold(i, pose.q[i] * Eigen::AngleAxis<Scalar>(angle, axis));
           }
           forward_kinematics(chain, 0, next);
           if ((next.effector() - target).norm() < missing.norm()) {
@@ -42,7 +43,7 @@ Solution<Scalar> inverse_kinematics_least_squares(const Chain<Scalar>& chain,
           }
           share *= 4;
         }
-        events.push_back({iteration, Event<Scalar>::Kind::all, -1, pose.x});
+        events.push_back({iteration, Event<Scalar>::Kind::all, -1, pose.x, pose.q});
       });
 }
 

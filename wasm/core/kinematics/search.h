@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "forward_kinematics.h"
+#include "joint_limits.h"
 #include "nearest_straight_pose.h"
 #include "rotations_from_positions.h"
 #include "solution.h"
@@ -44,27 +45,40 @@ void bend(const Chain<Scalar>& chain, Pose<Scalar>& pose) {
 
 /// What all methods have in common: when a search ends, and how.
 /// @param start    whose q are read; FK has been run
+/// @param limits   hold at the start and wherever this turns a joint; `iterate` holds by itself
 /// @param iterate  (pose, iteration, events): one iteration
 template <typename Scalar, typename Iterate>
 Solution<Scalar> search(const Chain<Scalar>& chain, const Pose<Scalar>& start,
                         const typename Chain<Scalar>::Vector3& target, const Settings& settings,
-                        Iterate iterate) {
+                        const JointLimits<Scalar>& limits, Iterate iterate) {
   Solution<Scalar> solution;
   Pose<Scalar>& pose = solution.pose;
   pose = start;
-  if (const auto straight = nearest_straight_pose(chain, target)) {
+  if (limits.any()) limits.hold(pose);
+  solution.start = pose;
+  using Kind = typename Event<Scalar>::Kind;
+  const auto straight = nearest_straight_pose(chain, target);
+  if (straight && !limits.bending()) {
     rotations_from_positions(chain, *straight, pose);
+    if (limits.any()) limits.hold(pose);  // it comes nearer every time it is looked for
+    solution.events.push_back({0, Kind::straight, -1, pose.x, pose.q});
     solution.outcome = Outcome::unreachable;
     return solution;
   }
+  const auto ended = [&](Outcome outcome) {
+    solution.outcome = straight ? Outcome::unreachable : outcome;
+    return solution;
+  };
   // Of the chain's length: what rounding moves a joint by.
   const Scalar resolution = 4 * std::numeric_limits<Scalar>::epsilon() * reach(chain);
   const auto error = [&] { return (pose.effector() - target).norm(); };
   bool bent = false;
   while (error() > settings.epsilon) {
-    if (solution.iterations == settings.iterations) return solution;
+    if (solution.iterations == settings.iterations) return ended(Outcome::max_iterations);
     if (!bent && on_one_line(chain, pose, target)) {
       bend(chain, pose);
+      if (limits.any()) limits.hold(pose);
+      solution.events.push_back({solution.iterations, Kind::bend, -1, pose.x, pose.q});
       bent = true;
     }
     const std::vector<typename Chain<Scalar>::Vector3> before = pose.x;
@@ -75,13 +89,9 @@ Solution<Scalar> search(const Chain<Scalar>& chain, const Pose<Scalar>& start,
     for (int i = 0; i < chain.joints(); ++i) {
       moved = std::max(moved, (pose.x[i] - before[i]).norm());
     }
-    if (moved <= resolution && error() > settings.epsilon) {
-      solution.outcome = Outcome::stalled;
-      return solution;
-    }
+    if (moved <= resolution && error() > settings.epsilon) return ended(Outcome::stalled);
   }
-  solution.outcome = Outcome::converged;
-  return solution;
+  return ended(Outcome::converged);
 }
 
 }  // namespace kinematics
