@@ -1,7 +1,5 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { type Remote, wrap } from 'comlink';
 import { noScene, type Scene } from '../scene/scene.ts';
-import { SolverCrash } from '../solver/client.ts';
 import type { Parameters } from '../solver/module.ts';
 import type { Checkpoint, Outcome, Pins, Pull } from '../solver/protocol.ts';
 import type {
@@ -13,10 +11,9 @@ import type {
   VariantState,
 } from '../solver/side_by_side.ts';
 import { Clock } from './clock.ts';
-import { notifyOf, notifyRefusal } from './explanation.ts';
-import { Obstacle } from './obstacle.ts';
+import { Crew } from './crew.ts';
+import { notifyRefusal } from './explanation.ts';
 import { type DistanceSample, type EnergySample, SideBySideRecord } from './side_by_side_record.ts';
-import { fetchSolver } from './start_solver.ts';
 
 /** What all variants have in common. */
 export interface CommonStart {
@@ -24,14 +21,6 @@ export interface CommonStart {
   pins: Pins;
   /** Null: at rest. */
   from: Checkpoint | null;
-}
-
-/** A worker, what it can be asked, and the end of every wait for an answer that will not come. */
-interface Crew {
-  worker: Worker;
-  service: Promise<Remote<SideBySideService>>;
-  lost: Promise<never>;
-  lose: (reason: Error) => void;
 }
 
 /** Requests that may wait: more time steps are a held key, and only delay what the reader sees. */
@@ -86,24 +75,21 @@ export class SideBySide {
   private readonly running = computed(
     () => this.alive.value && (this.playing.value || this.held.value !== null || this.pull.value !== null),
   );
-  private readonly createWorker: () => Worker;
-  private readonly wasmBinary: () => Promise<ArrayBuffer>;
+  private readonly crew: Crew<SideBySideService>;
   private readonly clock = new Clock();
-  private crew: Crew | null = null;
   private start: (CommonStart & { variants: readonly Variant[] }) | null = null;
   private readonly record = new SideBySideRecord();
   /** What the latest change asks for: one that is overtaken before its turn is not made. */
   private wanted: readonly Variant[] = [];
   private legibleSince = Number.NEGATIVE_INFINITY;
-  /** Requests take turns. */
-  private last: Promise<unknown> = Promise.resolve();
-  private waiting = 0;
-  /** How often the reader has left. What was asked before is not to find a new worker afterwards, which nobody would end. */
-  private departures = 0;
 
-  constructor(createWorker: () => Worker = sideBySideWorker, wasmBinary: () => Promise<ArrayBuffer> = fetchSolver) {
-    this.createWorker = createWorker;
-    this.wasmBinary = wasmBinary;
+  constructor(createWorker: () => Worker = sideBySideWorker, wasmBinary?: () => Promise<ArrayBuffer>) {
+    const onEnd = () =>
+      batch(() => {
+        this.playing.value = false;
+        this.states.value = null;
+      });
+    this.crew = new Crew(createWorker, onEnd, wasmBinary);
   }
 
   /** Begins to follow the display's refresh. Returns how to stop, which ends the worker. */
@@ -112,7 +98,7 @@ export class SideBySide {
     const tick = (now: number) => {
       asked = requestAnimationFrame(tick);
       this.clock.drawn(now);
-      const steps = this.waiting > 0 ? 0 : this.clock.due(now, this.parameters.delta_t);
+      const steps = this.crew.queue > 0 ? 0 : this.clock.due(now, this.parameters.delta_t);
       if (steps > 0) void this.run(steps);
     };
     const stop = effect(() => {
@@ -124,15 +110,14 @@ export class SideBySide {
     return () => {
       stop();
       cancelAnimationFrame(asked);
-      this.departures += 1;
-      this.end();
+      this.crew.leave();
     };
   }
 
   /** Replaces all variants; false when one is refused, after a word about it. The first one's Δt is the clock's. */
   async open(variants: readonly Variant[], start: CommonStart): Promise<boolean> {
     const { scene, pins, from } = start;
-    const outcome = await this.ask<Outcome<OpenedSideBySide>>(async (service) =>
+    const outcome = await this.crew.ask<Outcome<OpenedSideBySide>>(async (service) =>
       service.open(problemOf(scene), variants, pins, from),
     );
     if (outcome === null || !isTaken(outcome)) return false;
@@ -144,7 +129,7 @@ export class SideBySide {
   /** Other methods or settings; all go on from where they are. False when one is refused, after a word about it: nothing has changed then. */
   async change(variants: readonly Variant[]): Promise<boolean> {
     this.wanted = variants;
-    const outcome = await this.ask<Outcome<ChangedSideBySide> | 'overtaken'>(async (service) =>
+    const outcome = await this.crew.ask<Outcome<ChangedSideBySide> | 'overtaken'>(async (service) =>
       this.wanted === variants ? service.change(variants) : 'overtaken',
     );
     if (outcome === 'overtaken') return true;
@@ -178,8 +163,8 @@ export class SideBySide {
 
   /** So many time steps at once. */
   async run(steps: number): Promise<void> {
-    if (this.waiting >= longestQueue || !this.states.value) return;
-    const states = await this.ask<VariantState[]>(async (service) =>
+    if (this.crew.queue >= longestQueue || !this.states.value) return;
+    const states = await this.crew.ask<VariantState[]>(async (service) =>
       service.run(this.pins.value, this.pull.value, steps),
     );
     if (!states) return;
@@ -193,7 +178,7 @@ export class SideBySide {
     if (!this.states.value) return;
     this.playing.value = false;
     this.wantedLeader.value = leader; // also when others come to move again by this
-    const outcome = await this.ask<Outcome<Instant>>(async (service) =>
+    const outcome = await this.crew.ask<Outcome<Instant>>(async (service) =>
       service.sameInstant(leader, this.pins.value, this.pull.value),
     );
     if (outcome === null || !isTaken(outcome)) return;
@@ -255,61 +240,7 @@ export class SideBySide {
       this.distances.value = this.record.distances.map((curve) => curve.slice());
     });
   }
-
-  /** Null when there was no answer, after a word about it unless the reader has left; the next request finds a new worker. */
-  private ask<T>(request: (service: Remote<SideBySideService>) => Promise<T>): Promise<T | null> {
-    this.waiting += 1;
-    const { departures } = this;
-    const turn = this.last.then(() => this.askNow(request, departures));
-    this.last = turn;
-    return turn;
-  }
-
-  private async askNow<T>(
-    request: (service: Remote<SideBySideService>) => Promise<T>,
-    departures: number,
-  ): Promise<T | null> {
-    try {
-      if (departures !== this.departures) return null;
-      this.crew ??= this.hire();
-      return await Promise.race([this.crew.service.then(request), this.crew.lost]);
-    } catch (reason) {
-      if (reason !== ended) notifyOf(reason instanceof Obstacle ? reason : new SolverCrash((reason as Error).message));
-      this.end();
-      return null;
-    } finally {
-      this.waiting -= 1;
-    }
-  }
-
-  private hire(): Crew {
-    let lose: Crew['lose'] = () => {};
-    const lost = new Promise<never>((_, reject) => {
-      lose = reject;
-    });
-    lost.catch(() => {}); // also where nothing is asked any more
-    const worker = this.createWorker();
-    worker.addEventListener('error', ({ message }) => lose(new Error(message)));
-    const service = this.wasmBinary().then(async (wasmBinary) => {
-      const remote = wrap<SideBySideService>(worker);
-      await remote.start(wasmBinary);
-      return remote;
-    });
-    return { worker, service, lost, lose };
-  }
-
-  private end(): void {
-    this.crew?.lose(ended);
-    this.crew?.worker.terminate();
-    this.crew = null;
-    batch(() => {
-      this.playing.value = false;
-      this.states.value = null;
-    });
-  }
 }
-
-const ended = new Error('ended');
 
 /** Says why, where the solver has refused. */
 function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
