@@ -4,7 +4,7 @@ import { dirname, join, sep } from 'node:path';
 import ts from 'typescript';
 
 /** A layer may import the layers of earlier rows; layers of one row do not know each other. */
-const order = [['lib'], ['notation', 'scene'], ['solver'], ['app'], ['views'], ['labs'], ['main']];
+const order = [['lib'], ['notation', 'scene', 'curves'], ['solver'], ['app'], ['views'], ['labs'], ['main']];
 /** Layers whose folders do not know each other either. */
 const divided = ['views', 'labs'];
 /** What may be imported in one folder only. */

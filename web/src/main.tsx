@@ -7,7 +7,7 @@ import { followPointing } from './app/pointing.ts';
 import { appliedTheme } from './app/preferences.ts';
 import { requireWebGL } from './app/require_webgl.ts';
 import { roomKeys } from './app/room_keys.ts';
-import { type Route, route } from './app/route.ts';
+import { hasScenes, type Route, route } from './app/route.ts';
 import { Session } from './app/session.ts';
 import { shortcut } from './app/shortcuts.ts';
 import { startLab } from './app/start_lab.ts';
@@ -58,6 +58,12 @@ const pages: Record<Route['page'], () => Promise<ComponentType>> = {
     const { IntegratorsLab } = await import('./labs/integrators/integrators_lab.tsx');
     await formulaFonts(); // known since its style sheet has come
     return () => <IntegratorsLab actions={actions} />;
+  },
+  kinematics: async () => {
+    requireWebGL();
+    const { KinematicsLab } = await import('./labs/kinematics/kinematics_lab.tsx');
+    await formulaFonts(); // known since its style sheet has come
+    return () => <KinematicsLab actions={actions} />;
   },
   lesson: async () => {
     const { Lesson } = await import('./labs/lesson/lesson.tsx');
@@ -141,7 +147,7 @@ function listen(): void {
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (route.value.page !== 'lesson' && event.dataTransfer?.files.length)
+    if (hasScenes(route.value) && event.dataTransfer?.files.length)
       void actions.openFiles([...event.dataTransfer.files]);
   });
 }

@@ -56,6 +56,7 @@ const states: fc.Arbitrary<AppState> = fc.record({
     ),
   }),
   integrators: fc.constant(defaultState.integrators), // which links to the springs do not carry
+  kinematics: fc.constant(defaultState.kinematics), // likewise
   language: fc.constantFrom('en' as const, 'zh' as const),
   theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
 });

@@ -2,6 +2,7 @@ import type { Scene } from '../scene/scene.ts';
 import type { Checkpoint } from '../solver/protocol.ts';
 import { compareNewton } from './comparison.ts';
 import type { IntegratorsSettings } from './integrators.ts';
+import type { KinematicsSettings } from './kinematics.ts';
 import { limits } from './limits.ts';
 import { encodeLink, type Link } from './link.ts';
 import type { Language } from './messages/index.ts';
@@ -167,12 +168,19 @@ export class Actions {
     if (JSON.stringify(integrators) !== JSON.stringify(state.value.integrators)) this.change({ integrators });
   }
 
+  /** What the kinematics lab shows, likewise. */
+  setKinematics(change: Partial<KinematicsSettings>): void {
+    const kinematics = { ...state.value.kinematics, ...change };
+    if (JSON.stringify(kinematics) !== JSON.stringify(state.value.kinematics)) this.change({ kinematics });
+  }
+
   async copyLink(): Promise<void> {
     try {
       await navigator.clipboard.writeText(location.href.replace(/#.*/, '') + encodeLink(route.value, state.value));
       const name = route.value.page === 'integrators' ? state.value.integrators.scene : state.value.scene;
       const own = openedScenes.value.some((opened) => opened.name === name);
       if (route.value.page === 'lesson') notify('info', 'page.header.linkToLessonCopied');
+      else if (route.value.page === 'kinematics') notify('info', 'page.header.linkToArmCopied');
       else notify('info', own ? 'page.header.linkWithoutFile' : 'page.header.linkCopied', { name });
     } catch {
       notify('info', 'page.header.linkFailed'); // clipboards need a secure page and permission
@@ -206,6 +214,7 @@ export class Actions {
       this.setLanguage(wanted.language);
       this.setTheme(wanted.theme);
       if (to.page === 'integrators') this.setIntegrators(wanted.integrators);
+      if (to.page === 'kinematics') this.setKinematics(wanted.kinematics);
     } else if (!frame.value) {
       language.value = wanted.language;
       state.value = wanted; // start_lab.ts opens it

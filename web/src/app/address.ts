@@ -7,10 +7,10 @@ import { defaultState, state } from './state.ts';
 /** Browsers throttle writes to the address; a drag would make hundreds. */
 const quiet_ms = 300;
 
-/** The page and state that an address asks for, in the reader's language and theme, and with the other lab as it is, where it names none; what it asks wrongly is said in a notice. */
+/** The page and state that an address asks for, in the reader's language and theme, and with the other labs as they are, where it names none; what it asks wrongly is said in a notice. */
 export function readAddress({ hash }: URL | Location): Link {
-  const { language, theme, integrators } = state.value;
-  const link = decodeLink(hash, { ...defaultState, language, theme, integrators });
+  const { language, theme, integrators, kinematics } = state.value;
+  const link = decodeLink(hash, { ...defaultState, language, theme, integrators, kinematics });
   for (const problem of link.problems) {
     if ('tooLong' in problem)
       notify('error', 'page.errors.linkTooLong', { length: problem.tooLong, most: longestLink });

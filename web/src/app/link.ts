@@ -10,13 +10,16 @@ export type LinkProblem = { part: string; value: string } | { tooLong: number };
 
 /** The parts of the state that a link to a page carries: of each lab its own, and the lesson's figures are not among them. */
 const partsOf: Record<Route['page'], readonly (keyof AppState)[]> = {
-  springs: (Object.keys(stateSchema) as (keyof AppState)[]).filter((part) => part !== 'integrators'),
+  springs: (Object.keys(stateSchema) as (keyof AppState)[]).filter(
+    (part) => part !== 'integrators' && part !== 'kinematics',
+  ),
   integrators: ['version', 'integrators', 'language', 'theme'],
+  kinematics: ['version', 'kinematics', 'language', 'theme'],
   lesson: ['language', 'theme'],
 };
 
 /** Named in every link: what a reader's own preferences would otherwise replace. */
-const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'integrators', 'language'];
+const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'integrators', 'kinematics', 'language'];
 
 /** The address's fragment for a page and a state: every part that is not the default, as JSON. */
 export function encodeLink(route: Route, state: AppState): string {

@@ -1,6 +1,9 @@
 import * as z from 'zod/mini';
+import { samplings } from '../curves/sample_curve.ts';
+import { ikMethods } from '../solver/inverse_kinematics.ts';
 import { methods, minimisers } from '../solver/module.ts';
 import { comparedLimits, mostMethods } from './integrators.ts';
+import { kinematicsLimits } from './kinematics.ts';
 import { limits } from './limits.ts';
 import { languages } from './messages/index.ts';
 import type { AppState } from './state.ts';
@@ -9,6 +12,10 @@ const within = ({ min, max }: { min: number; max: number }) => z.number().check(
 const whole = ({ min, max }: { min: number; max: number }) => z.int().check(z.gte(min), z.lte(max));
 const index = z.int().check(z.gte(0));
 const sceneName = z.string().check(z.regex(/^[\w-]{1,64}$/));
+const short = (most: number) => z.string().check(z.maxLength(most));
+const formula = short(kinematicsLimits.formula);
+const coordinate = within(kinematicsLimits.coordinate);
+const place = z.tuple([coordinate, coordinate, coordinate]);
 const point = z.tuple([z.number(), z.number(), z.number()]);
 
 /** One schema a part of the state, so that a link with one bad part keeps the others. */
@@ -64,6 +71,39 @@ export const stateSchema = {
       stiffness: z.nullable(within(comparedLimits.poke.stiffness)),
       radius: within(comparedLimits.poke.radius),
     }),
+  }),
+  kinematics: z.strictObject({
+    links: z
+      .array(
+        z.strictObject({
+          length: within(kinematicsLimits.length),
+          bend: z.nullable(within(kinematicsLimits.bend)),
+        }),
+      )
+      .check(z.minLength(kinematicsLimits.links.min), z.maxLength(kinematicsLimits.links.max)),
+    root: place,
+    mode: z.enum(['aim', 'draw']),
+    target: place,
+    curve: z.discriminatedUnion('kind', [
+      z.strictObject({ kind: z.enum(['circle', 'square', 'heart', 'triangle', 'star']) }),
+      z.strictObject({ kind: z.literal('letters'), text: short(kinematicsLimits.letters) }),
+      z.strictObject({ kind: z.literal('formula'), x: formula, y: formula, from: formula, to: formula }),
+      z.strictObject({
+        kind: z.literal('hand'),
+        strokes: z.array(z.array(z.tuple([coordinate, coordinate]))).check(
+          z.maxLength(kinematicsLimits.hand.strokes),
+          z.refine((strokes) => strokes.flat().length <= kinematicsLimits.hand.points),
+        ),
+      }),
+      z.strictObject({ kind: z.literal('path'), d: short(kinematicsLimits.path) }),
+    ]),
+    sampling: z.enum(samplings),
+    points: whole(kinematicsLimits.points),
+    method: z.enum(ikMethods),
+    precision: z.enum(['double', 'single']),
+    iterations: whole(kinematicsLimits.iterations),
+    epsilon: within(kinematicsLimits.epsilon),
+    turn: z.nullable(within(kinematicsLimits.turn)),
   }),
   language: z.enum(languages),
   theme: z.enum(['light', 'dark', 'system']),

@@ -6,6 +6,7 @@ import type { Pins } from '../solver/protocol.ts';
 import { sceneParameters } from '../solver/scene_parameters.ts';
 import type { Figure } from './figure.ts';
 import { defaultIntegrators, type IntegratorsSettings } from './integrators.ts';
+import { defaultKinematics, type KinematicsSettings } from './kinematics.ts';
 import type { Language } from './messages/index.ts';
 
 /** Everything worth saving: what a link, a preset or a fixture holds. Plain JSON, checked by schema.ts. */
@@ -20,6 +21,7 @@ export interface AppState {
   selection: Selection;
   view: ViewOptions;
   integrators: IntegratorsSettings;
+  kinematics: KinematicsSettings;
   language: Language;
   theme: 'light' | 'dark' | 'system';
 }
@@ -70,6 +72,7 @@ export const defaultState: AppState = {
   selection: { spring: null, vertex: null },
   view: { exaggeration: 'automatic', springs: true, surface: true, projector: false, camera: null, plot: 'trace' },
   integrators: defaultIntegrators,
+  kinematics: defaultKinematics,
   language: 'en',
   theme: 'system',
 };

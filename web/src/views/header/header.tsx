@@ -1,6 +1,6 @@
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
-import { route } from '../../app/route.ts';
+import { hasScenes, route } from '../../app/route.ts';
 import { state } from '../../app/state.ts';
 import { PageLinks } from './page_links.tsx';
 import { SceneMenu } from './scene_menu.tsx';
@@ -37,7 +37,7 @@ export function Header({ actions, onHelp }: { actions: Actions; onHelp: () => vo
         {t('page.title')}
       </h1>
       <PageLinks />
-      {inLab && <SceneMenu actions={actions} />}
+      {hasScenes(route.value) && <SceneMenu actions={actions} />}
       <div class="tools">
         <label class="theme">
           <span class="visually-hidden">{t('page.header.theme.label')}</span>

@@ -1,9 +1,14 @@
 import { encodeLink } from '../../app/link.ts';
 import { t } from '../../app/messages/index.ts';
-import { integratorsRoute, type Route, route, springsRoute } from '../../app/route.ts';
+import { integratorsRoute, kinematicsRoute, type Route, route, springsRoute } from '../../app/route.ts';
 import { state } from '../../app/state.ts';
 
-const destinations: readonly Route[] = [springsRoute, integratorsRoute, { page: 'lesson', section: null }];
+const destinations: readonly Route[] = [
+  springsRoute,
+  integratorsRoute,
+  kinematicsRoute,
+  { page: 'lesson', section: null },
+];
 
 /** From page to page. A lab's link carries its state, so that coming back finds it as it was left. */
 export function PageLinks() {

@@ -43,6 +43,17 @@ const topics: Record<Route['page'], Topics> = {
       ['PgUp PgDn', 'page.keys.pinPages'],
     ],
   },
+  kinematics: {
+    gestures: ['page.keys.kinematics.target', 'page.keys.orbit'],
+    keys: [
+      ['A', 'page.keys.kinematics.play'],
+      ['← →', 'page.keys.kinematics.events'],
+      ['R', 'page.keys.kinematics.hang'],
+      ['← → ↑ ↓', 'page.keys.kinematics.targetArrows'],
+      ['?', 'page.keys.help'],
+      ['Esc', 'page.keys.escape'],
+    ],
+  },
   lesson: {
     gestures: ['page.keys.drag', 'page.keys.lesson.pull', 'page.keys.lesson.choose', 'page.keys.lesson.symbol'],
     keys: [

@@ -4,7 +4,13 @@ export const page = {
   skipToText: 'Skip to the text',
   loading: 'Loading…',
   header: {
-    pages: { label: 'Pages', springs: 'Springs', integrators: 'Integrators', lesson: 'Lesson' },
+    pages: {
+      label: 'Pages',
+      springs: 'Springs',
+      integrators: 'Integrators',
+      kinematics: 'Kinematics',
+      lesson: 'Lesson',
+    },
     otherLanguage: '中文',
     otherLanguageLabel: '切换到简体中文',
     theme: { label: 'Theme', system: 'Theme: system', light: 'Theme: light', dark: 'Theme: dark' },
@@ -13,6 +19,7 @@ export const page = {
     link: 'Copy link',
     linkCopied: 'Link copied: it opens this scene with these parameters and pins.',
     linkWithoutFile: 'Link copied. It names your scene “{{name}}” but cannot carry its files: send them along.',
+    linkToArmCopied: 'Link copied: it opens this arm with this target, curve and method.',
     linkToLessonCopied: 'Link copied: it opens this section of the lesson.',
     linkFailed: 'The browser did not allow copying. The link is the address of this page.',
     help: 'Help and keys',
@@ -216,6 +223,13 @@ export const page = {
       hold: 'on the surface’s handle: choose a vertex with the arrows, take hold with Enter, pull with the arrows (with Shift farther), let go with Esc',
       restart: 'start again from rest',
       instant: 'the same instant by all methods',
+    },
+    kinematics: {
+      target: 'drag the target: the arm reaches for it',
+      targetArrows: 'on the focused target: move it (with Shift ten times as far; PgUp, PgDn: away and towards you)',
+      play: 'draw, or pause',
+      events: 'back, forward: one joint (CCD), one pass (FABRIK)',
+      hang: 'look for the target again, from the hanging arm',
     },
     lesson: {
       pull: 'drag a vertex: pull at it; time runs while you hold it',

@@ -4,7 +4,7 @@ export const page = {
   skipToText: '跳到正文',
   loading: '正在载入……',
   header: {
-    pages: { label: '页面', springs: '弹簧', integrators: '积分方法', lesson: '课程' },
+    pages: { label: '页面', springs: '弹簧', integrators: '积分方法', kinematics: '运动学', lesson: '课程' },
     otherLanguage: 'English',
     otherLanguageLabel: 'Switch to English',
     theme: { label: '主题', system: '主题：跟随系统', light: '主题：浅色', dark: '主题：深色' },
@@ -13,6 +13,7 @@ export const page = {
     link: '复制链接',
     linkCopied: '链接已复制：打开即恢复当前场景、参数与固定点。',
     linkWithoutFile: '链接已复制。它只写了场景名“{{name}}”，不含文件：请把文件一并发送。',
+    linkToArmCopied: '链接已复制：打开即恢复当前机械臂、目标点、曲线与方法。',
     linkToLessonCopied: '链接已复制：打开即到课程的这一节。',
     linkFailed: '浏览器不允许复制。地址栏里的网址就是该链接。',
     help: '帮助与按键',
@@ -210,6 +211,13 @@ export const page = {
       hold: '焦点在表面手柄上时：用方向键选择质点，回车键抓住，再用方向键拉动（按住 Shift 拉得更远），Esc 松手',
       restart: '回到静止状态，从头开始',
       instant: '让所有方法走同一时间步',
+    },
+    kinematics: {
+      target: '拖动目标点：机械臂随之去够它',
+      targetArrows: '目标点获得焦点时：移动它（按住 Shift 移动十倍；PgUp、PgDn：远离或靠近屏幕前的你）',
+      play: '开始画或暂停',
+      events: '后退、前进：CCD 为一个关节，FABRIK 为一趟',
+      hang: '从自然下垂的机械臂重新求解',
     },
     lesson: {
       pull: '拖动质点：拉着它走；按住期间时间向前走',

@@ -1,0 +1,32 @@
+import { useEffect } from 'preact/hooks';
+import type { Actions } from '../../app/actions.ts';
+import { inLanguage } from '../../app/messages/in_language.ts';
+import { t } from '../../app/messages/index.ts';
+import { en } from './en.ts';
+import { useSession } from './use_session.ts';
+import { zh } from './zh.ts';
+import './kinematics.css';
+
+/** An arm that reaches for a target or draws a curve, with the equations beside it. */
+export function KinematicsLab({ actions }: { actions: Actions }) {
+  const words = inLanguage({ en, zh });
+  const session = useSession(actions);
+  const ready = session.pose.value !== null;
+
+  useEffect(() => {
+    document.title = `${words.title} – ${t('page.title')}`;
+  }, [words.title]);
+  useEffect(() => {
+    if (ready) document.body.dataset.ready = 'true';
+  }, [ready]);
+
+  if (!ready) return <p class="obstacle">{words.opening}</p>;
+  return (
+    <main class="kinematics">
+      <header>
+        <h2>{words.title}</h2>
+        <p class="kinematics-intro">{words.intro}</p>
+      </header>
+    </main>
+  );
+}

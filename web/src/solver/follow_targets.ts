@@ -1,0 +1,45 @@
+import type { IkAnswer, IkOutcome, IkTask } from './inverse_kinematics.ts';
+import type { SolverModule } from './module.ts';
+import type { Outcome } from './protocol.ts';
+
+/** How a chain goes from target to target. */
+export interface Followed {
+  /** #T×#joints×3, m, and #T×#joints×4, (x, y, z, w). */
+  x: Float64Array;
+  q: Float64Array;
+  /** #T, m: between end effector and target. */
+  errors: Float64Array;
+  /** #T. */
+  iterations: Int32Array;
+  outcomes: IkOutcome[];
+}
+
+/** One target after the other, each from the pose that the one before has left; `targets` #T×3, m. The first one that is refused refuses all. */
+export function followTargets(
+  solver: Pick<SolverModule, 'inverse_kinematics'>,
+  task: IkTask,
+  targets: Float64Array,
+): Outcome<Followed> {
+  const answers: IkAnswer[] = [];
+  for (let i = 0; i < targets.length / 3; i++) {
+    const before = answers.at(-1);
+    const start = before ? { start: new Float64Array(), start_q: before.q } : {};
+    const { status, answer } = solver.inverse_kinematics({
+      ...task,
+      ...start,
+      target: targets.subarray(3 * i, 3 * i + 3),
+    });
+    if (status.code !== 'ok') return { ok: false, status };
+    answers.push(answer);
+  }
+  return {
+    ok: true,
+    value: {
+      x: Float64Array.from(answers.flatMap(({ x }) => [...x])),
+      q: Float64Array.from(answers.flatMap(({ q }) => [...q])),
+      errors: Float64Array.from(answers, ({ error }) => error),
+      iterations: Int32Array.from(answers, ({ iterations }) => iterations),
+      outcomes: answers.map(({ outcome }) => outcome),
+    },
+  };
+}
