@@ -1,10 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { comparedLimits, type IntegratorsSettings, mostMethods } from '../../../web/src/app/integrators.ts';
+import { type KinematicsSettings, kinematicsLimits } from '../../../web/src/app/kinematics.ts';
 import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
+import { samplings } from '../../../web/src/curves/sample_curve.ts';
+import { ikMethods } from '../../../web/src/solver/inverse_kinematics.ts';
 import { methods, minimisers } from '../../../web/src/solver/module.ts';
 
 const lab = { page: 'springs', room: null } as const;
@@ -59,6 +62,37 @@ const states: fc.Arbitrary<AppState> = fc.record({
   kinematics: fc.constant(defaultState.kinematics), // likewise
   language: fc.constantFrom('en' as const, 'zh' as const),
   theme: fc.constantFrom('light' as const, 'dark' as const, 'system' as const),
+});
+
+const place = fc.tuple(...Array.from({ length: 3 }, () => inside(kinematicsLimits.coordinate).map((x) => x + 0)));
+const planar = fc.tuple(coordinate(), coordinate()).map(([x, y]): [number, number] => [x / 100 + 0, y / 100 + 0]);
+const text = (maxLength: number) => fc.string({ unit: 'binary', maxLength: maxLength / 2 });
+
+const arms: fc.Arbitrary<KinematicsSettings> = fc.record({
+  links: fc.array(
+    fc.record({
+      length: inside(kinematicsLimits.length),
+      bend: fc.option(inside(kinematicsLimits.bend).map((angle) => angle + 0)),
+    }),
+    { minLength: 1, maxLength: kinematicsLimits.links.max },
+  ),
+  root: place as fc.Arbitrary<[number, number, number]>,
+  mode: fc.constantFrom('aim' as const, 'draw' as const),
+  target: place as fc.Arbitrary<[number, number, number]>,
+  curve: fc.oneof(
+    fc.record({ kind: fc.constantFrom('circle' as const, 'square' as const, 'heart' as const, 'star' as const) }),
+    fc.record({ kind: fc.constant('letters' as const), text: text(kinematicsLimits.letters) }),
+    fc.record({ kind: fc.constant('formula' as const), x: text(20), y: text(20), from: text(20), to: text(20) }),
+    fc.record({ kind: fc.constant('hand' as const), strokes: fc.array(fc.array(planar, { maxLength: 9 })) }),
+    fc.record({ kind: fc.constant('path' as const), d: text(100) }),
+  ),
+  sampling: fc.constantFrom(...samplings),
+  points: fc.integer(kinematicsLimits.points),
+  method: fc.constantFrom(...ikMethods),
+  precision: fc.constantFrom('double' as const, 'single' as const),
+  iterations: fc.integer(kinematicsLimits.iterations),
+  epsilon: inside(kinematicsLimits.epsilon),
+  turn: fc.option(inside(kinematicsLimits.turn)),
 });
 
 const comparisons: fc.Arbitrary<IntegratorsSettings> = fc.record({
@@ -195,6 +229,31 @@ describe('the link', () => {
     const { state, problems } = decodeLink(`#/integrators?integrators=${integrators}`, defaultState);
     expect(state).toEqual(defaultState);
     expect(problems).toMatchObject([{ part: 'integrators' }]);
+  });
+
+  it('to the kinematics carries every arm and curve there and back, and nothing of the other labs', () => {
+    fc.assert(
+      fc.property(arms, (kinematics) => {
+        const link = encodeLink({ page: 'kinematics' }, { ...defaultState, scene: 'flag', kinematics });
+        const { route, state, problems } = decodeLink(link, defaultState);
+        expect(problems).toEqual([]);
+        expect(route).toEqual({ page: 'kinematics' });
+        expect(state).toEqual({ ...defaultState, kinematics });
+      }),
+    );
+  });
+
+  it.each([
+    ['no link', { links: [] }],
+    ['a link without length', { links: [{ length: 0, bend: null }] }],
+    ['a curve that does not exist', { curve: { kind: 'spiral' } }],
+    ['a longer text than fits', { curve: { kind: 'letters', text: 'x'.repeat(25) } }],
+    ['half a point', { points: 100.5 }],
+  ])('to the kinematics is refused with %s', (_, wrong) => {
+    const kinematics = encodeURIComponent(JSON.stringify({ ...defaultState.kinematics, ...wrong }));
+    const { state, problems } = decodeLink(`#/kinematics?kinematics=${kinematics}`, defaultState);
+    expect(state).toEqual(defaultState);
+    expect(problems).toMatchObject([{ part: 'kinematics' }]);
   });
 
   it('leads to a section of the lesson, with the language and theme to read it in and nothing of the lab', () => {
