@@ -12,6 +12,8 @@ const homes = Object.entries({
   three: 'views/scene3d',
   katex: 'views/equations',
   uplot: 'views/plots',
+  'ohm-js': 'curves',
+  svgpath: 'curves',
   '#wasm/solver.js': 'solver',
 });
 

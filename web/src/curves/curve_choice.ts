@@ -1,12 +1,14 @@
 import type { Point2 } from './curve.ts';
 
-/** What can be drawn, as a link carries it: plain JSON. */
+export const shapes = ['circle', 'square', 'heart', 'triangle', 'star'] as const;
+export type Shape = (typeof shapes)[number];
+
+/** What the reader wants drawn: plain JSON, as a link carries it. `curveFrom` makes a curve of it. */
 export type CurveChoice =
-  | { kind: 'circle' | 'square' | 'heart' | 'triangle' | 'star' }
+  | { kind: Shape }
   | { kind: 'letters'; text: string }
-  /** x(t) and y(t), m, from one t to another: expressions, the ends too. */
+  /** x(t) and y(t) in m, for t between two expressions without t: "0", "2 pi". */
   | { kind: 'formula'; x: string; y: string; from: string; to: string }
-  /** Drawn by hand: m. */
   | { kind: 'hand'; strokes: readonly (readonly Point2[])[] }
-  /** The `d` of an SVG path. */
+  /** SVG path data, or markup that contains some. */
   | { kind: 'path'; d: string };
