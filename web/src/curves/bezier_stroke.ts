@@ -51,8 +51,9 @@ function direction([start, ...others]: Piece): Point2 {
   return [to[0] - from[0], to[1] - from[1]];
 }
 
-export function hasExtent([start, ...others]: Piece): boolean {
-  return others.some((point) => distance(start as Point2, point) > 0);
+/** From the first control point to that farthest from it. */
+export function extentOf([start, ...others]: Piece): number {
+  return Math.max(...others.map((point) => distance(start as Point2, point)));
 }
 
 /** The stroke that joins `points` by lines; a closed one returns to the first. */

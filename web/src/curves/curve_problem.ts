@@ -25,7 +25,7 @@ export type CurveReason =
   | { code: 'too_far'; t: number; value: number; maximum: number }
   | { code: 'empty_range'; from: number; to: number }
   // strokes by hand; the column is the stroke's number
-  | { code: 'point_not_finite' }
+  | { code: 'point_too_far'; maximum: number }
   // SVG paths
   | { code: 'not_path_data'; found: string }
   | { code: 'path_ends_early' }

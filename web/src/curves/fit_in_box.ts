@@ -6,9 +6,10 @@ const samplesPerPiece = 64; // that of a quarter of a circle misses its extent b
 
 /**
  * `strokes`, whose pieces are one unit of t long, moved to the middle of the box and made as large as fits. What is lower than `leastHeight` is
- * not enlarged as if it filled the box: a full stop stays small. Null where they have no extent.
+ * not enlarged as if it filled the box: a full stop stays small. Null where there is nothing to see.
  */
 export function fitInBox(strokes: readonly Stroke[], leastHeight = 0): Stroke[] | null {
+  if (strokes.length === 0) return null;
   const bounds = {
     left: Number.POSITIVE_INFINITY,
     right: Number.NEGATIVE_INFINITY,

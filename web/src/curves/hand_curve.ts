@@ -4,12 +4,15 @@ import { type CurveResult, refused } from './curve_problem.ts';
 
 /** m. What trembles less than this is the pointer, not the hand. */
 const smallestStep = 0.005;
+/** m. Several times what any arm of the lab reaches. */
+const farthest = 100;
 
 /** What was drawn with the pointer, lightly smoothed: strokes that go through its points without corners. */
 export function handCurve(drawn: readonly (readonly Point2[])[]): CurveResult {
   if (drawn.length === 0) return refused('strokes', 1, { code: 'empty' });
-  const bad = drawn.findIndex((stroke) => stroke.some(([x, y]) => !Number.isFinite(x) || !Number.isFinite(y)));
-  if (bad >= 0) return refused('strokes', bad + 1, { code: 'point_not_finite' });
+  const isNear = ([x, y]: Point2) => Math.abs(x) <= farthest && Math.abs(y) <= farthest; // not so for NaN
+  const bad = drawn.findIndex((points) => !points.every(isNear));
+  if (bad >= 0) return refused('strokes', bad + 1, { code: 'point_too_far', maximum: farthest });
   const strokes = drawn
     .map(thinned)
     .filter((points) => points.length > 1)

@@ -61,21 +61,23 @@ function measure({ at }: Stroke, from: number, to: number): Omit<Stretch, 'strok
 }
 
 function lengthAndTurn(points: readonly Point2[]): Pick<Stretch, 'length' | 'turn'> {
+  const chords = points.slice(1).map(([x, y], k): Point2 => {
+    const [beforeX, beforeY] = points[k] as Point2;
+    return [x - beforeX, y - beforeY];
+  });
+  // Between the chord of cell k and the next; the cells at the ends turn as their neighbours do.
+  const bends = chords.slice(1).map((chord, k) => angleBetween(chords[k] as Point2, chord));
+  const bendBehind = (k: number) => bends[Math.min(Math.max(k, 0), bends.length - 1)] as number;
   const length = [0];
   const turn = [0];
-  let heading: Point2 | null = null;
-  for (const [k, point] of points.entries()) {
-    if (k === 0) continue;
-    const [x, y] = points[k - 1] as Point2;
-    const chord: Point2 = [point[0] - x, point[1] - y];
-    const step = Math.hypot(...chord);
-    length.push((length[k - 1] as number) + step);
-    turn.push((turn[k - 1] as number) + (heading && step > 0 ? angleBetween(heading, chord) : 0));
-    if (step > 0) heading = chord;
+  for (const [k, chord] of chords.entries()) {
+    length.push((length[k] as number) + Math.hypot(...chord));
+    turn.push((turn[k] as number) + (bendBehind(k - 1) + bendBehind(k)) / 2); // the direction at a point is between its chords'
   }
   return { length, turn };
 }
 
+/** Zero where one of them has no direction. */
 function angleBetween([ax, ay]: Point2, [bx, by]: Point2): number {
   return Math.abs(Math.atan2(ax * by - ay * bx, ax * bx + ay * by));
 }

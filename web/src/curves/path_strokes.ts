@@ -1,10 +1,12 @@
 import svgpath from 'svgpath';
-import { bezierStroke, hasExtent, type Piece } from './bezier_stroke.ts';
+import { bezierStroke, extentOf, type Piece } from './bezier_stroke.ts';
 import type { Point2, Stroke } from './curve.ts';
 import type { CurveReason } from './curve_problem.ts';
 
 /** More would leave too few digits to the differences. */
-export const largestCoordinate = 1e9;
+const largestCoordinate = 1e9;
+/** Of the size: the line that closes a circle of arcs is this short at most, and no line. */
+const rounding = 1e-9;
 
 type Mistake = { index: number; reason: CurveReason };
 
@@ -15,12 +17,11 @@ export function pathStrokes(d: string): Stroke[] | Mistake {
   const mistake = mistakeIn(d, path.err);
   if (mistake) return mistake;
 
-  const strokes: Stroke[] = [];
+  const subpaths: { pieces: Piece[]; closed: boolean }[] = [];
   let pieces: Piece[] = [];
   let start: Point2 = [0, 0];
   const finish = (closed: boolean) => {
-    const drawn = pieces.filter(hasExtent);
-    if (drawn.length > 0) strokes.push(bezierStroke(drawn, closed));
+    subpaths.push({ pieces, closed });
     pieces = [];
   };
   path
@@ -39,7 +40,13 @@ export function pathStrokes(d: string): Stroke[] | Mistake {
       } else pieces.push([pen, ...pointsOf(segment as Drawing, pen)]);
     });
   finish(false);
-  return strokes;
+
+  const numbers = subpaths.flatMap((subpath) => subpath.pieces.flat(2));
+  const size = numbers.reduce((largest, number) => Math.max(largest, Math.abs(number)), 0);
+  return subpaths.flatMap(({ pieces, closed }) => {
+    const drawn = pieces.filter((piece) => extentOf(piece) > rounding * size);
+    return drawn.length > 0 ? [bezierStroke(drawn, closed)] : [];
+  });
 }
 
 /** What abs, unshort and unarc leave of the segments that draw. */
