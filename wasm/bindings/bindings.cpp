@@ -1,17 +1,15 @@
-// The only file that knows of the web: a table from the calls of web/src/solver/module.ts to the
-// core.
+// A table from the calls of web/src/solver/module.ts to the core. This folder alone knows of the
+// web.
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "elimination.h"
 #include "inertial_prediction.h"
-#include "inverse_kinematics.h"
 #include "matrix_in_order.h"
 #include "mistaken_simulation.h"
 #include "ordering.h"
@@ -20,31 +18,12 @@
 #include "symplectic_euler.h"
 #include "system_matrix_terms.h"
 #include "triplets_from_matrix.h"
+#include "values.h"
 
 using namespace mass_spring;
-using emscripten::typed_memory_view;
 using emscripten::val;
 
 namespace {
-
-/// A view of the module's memory, valid until the next call.
-template <typename Array>
-val lend(const Array& array) {
-  return val(typed_memory_view(array.size(), array.data()));
-}
-
-/// The same numbers in memory of JavaScript's.
-template <typename Array>
-val copy(const char* type, const Array& array) {
-  return val::global(type).new_(lend(array));
-}
-
-std::vector<double> doubles(const val& array) {
-  return emscripten::convertJSArrayToNumberVector<double>(array);
-}
-std::vector<int> ints(const val& array) {
-  return emscripten::convertJSArrayToNumberVector<int>(array);
-}
 
 std::string code(const Status& status) {
   return status_code_names()[static_cast<int>(status.code)];
@@ -68,13 +47,6 @@ void set_path(Parameters& parameters, const std::string& name) {
 
 const std::string& method(const Parameters& parameters) {
   return method_names()[static_cast<int>(parameters.method)];
-}
-
-/// The enumerator of that name, or the first: the types of module.ts let no other names through.
-template <typename Enum>
-Enum named(const std::string& name, const std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
 }
 
 Method method_of(const std::string& name) { return named<Method>(name, method_names()); }
@@ -190,41 +162,6 @@ int vertices(const Simulation& simulation) { return simulation.time_step().p_cur
 int springs(const Simulation& simulation) { return simulation.time_step().E.rows(); }
 int pins(const Simulation& simulation) { return simulation.time_step().pinned.size(); }
 
-/// @param task  as module.ts has it
-val inverse_kinematics(const val& task) {
-  kinematics::Task given;
-  given.offsets = doubles(task["offsets"]);
-  given.root = doubles(task["root"]);
-  given.start = doubles(task["start"]);
-  given.start_q = doubles(task["start_q"]);
-  given.target = doubles(task["target"]);
-  given.method =
-      named<kinematics::Method>(task["method"].as<std::string>(), kinematics::method_names());
-  given.settings = {task["iterations"].as<int>(), task["epsilon"].as<double>(),
-                    task["turn_limit"].as<double>(), doubles(task["bend_limits"])};
-  given.single_precision = task["precision"].as<std::string>() == "single";
-  kinematics::Answer answer;
-  const Status status = kinematics::inverse_kinematics(given, answer);
-  val found = val::object();
-  found.set("outcome", kinematics::outcome_names()[static_cast<int>(answer.outcome)]);
-  found.set("iterations", answer.iterations);
-  found.set("error", answer.error);
-  found.set("start_x", copy("Float64Array", answer.start_x));
-  found.set("start_q", copy("Float64Array", answer.start_q));
-  found.set("x", copy("Float64Array", answer.x));
-  found.set("q", copy("Float64Array", answer.q));
-  found.set("errors", copy("Float64Array", answer.errors));
-  found.set("events", copy("Int32Array", answer.events));
-  found.set("event_x", copy("Float64Array", answer.event_x));
-  found.set("event_q", copy("Float64Array", answer.event_q));
-  val object = val::object();
-  object.set("status", status);
-  object.set("answer", found);
-  return object;
-}
-val ik_outcomes() { return val::array(kinematics::outcome_names()); }
-val ik_methods() { return val::array(kinematics::method_names()); }
-
 val status_codes() { return val::array(status_code_names()); }
 val methods() { return val::array(method_names()); }
 val orderings() { return val::array(ordering_names()); }
@@ -239,9 +176,6 @@ EMSCRIPTEN_BINDINGS(solver) {
   function("methods", &methods);
   function("orderings", &orderings);
   function("mistakes", &mistakes);
-  function("inverse_kinematics", &inverse_kinematics);
-  function("ik_outcomes", &ik_outcomes);
-  function("ik_methods", &ik_methods);
 
   value_object<Status>("Status")
       .field("code", &code, &set_code)
