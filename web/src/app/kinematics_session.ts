@@ -1,10 +1,16 @@
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
+import { curveFrom } from '../curves/curve_from.ts';
+import { sampleCurve } from '../curves/sample_curve.ts';
+import type { Followed } from '../solver/follow_targets.ts';
 import type { IkAnswer, IkTask } from '../solver/inverse_kinematics.ts';
-import type { KinematicsService } from '../solver/kinematics_worker.ts';
+import type { KinematicsService } from '../solver/kinematics_service.ts';
 import type { Outcome } from '../solver/protocol.ts';
 import { Crew } from './crew.ts';
 import { notifyRefusal } from './explanation.ts';
 import { defaultKinematics, type KinematicsSettings, taskOf } from './kinematics.ts';
+import { type Drawing, drawingTargets } from './kinematics_drawing.ts';
+import { notify } from './notices.ts';
+import { countEvents, type Pose, poseAfter, poseAt } from './pose.ts';
 import { state } from './state.ts';
 
 /** What the arm was asked for, and what came of it. */
@@ -13,11 +19,11 @@ export interface Search {
   answer: IkAnswer;
 }
 
-export interface Pose {
-  /** #joints×3, m. */
-  x: Float64Array;
-  /** #joints×4, (x, y, z, w): of each joint against the one before. */
-  q: Float64Array;
+interface Options {
+  /** Whether a new curve is there at once; otherwise the arm begins to draw it. */
+  still: boolean;
+  createWorker?: () => Worker;
+  wasmBinary?: () => Promise<ArrayBuffer>;
 }
 
 /** Makes the arm do what the state says, one wish after the other; what is refused is taken back in the state. */
@@ -26,30 +32,45 @@ export class KinematicsSession {
   readonly search = signal<Search | null>(null);
   /** How many of its events have happened in what is shown. */
   readonly event = signal(0);
+  /** What the arm draws, and how it does; null while it only reaches for its target. */
+  readonly drawing = signal<Drawing | null>(null);
+  /** The target of the drawing that the arm is at. */
+  readonly place = signal(0);
+  readonly playing = signal(false);
   /** What is shown; null before the first search. */
   readonly pose: ReadonlySignal<Pose | null> = computed(() => {
+    const drawing = this.playing.value ? this.drawing.value : null;
+    if (drawing) return poseAt(drawing.followed, this.place.value);
     const { value: search } = this.search;
     return search && poseAfter(search.answer, this.event.value);
   });
 
+  private readonly still: boolean;
   private readonly crew: Crew<KinematicsService>;
   /** What the arm does; null before it does anything. */
   private accepted: KinematicsSettings | null = null;
   private working = false;
+  private left = false;
 
-  constructor(createWorker: () => Worker = kinematicsWorker, wasmBinary?: () => Promise<ArrayBuffer>) {
+  constructor({ still, createWorker = kinematicsWorker, wasmBinary }: Options) {
+    this.still = still;
     this.crew = new Crew(createWorker, undefined, wasmBinary);
   }
 
-  /** Begins to follow the state. Returns how to stop, which ends the worker. */
+  /** Begins to follow the state and the display's refresh. Returns how to stop, which ends the worker. */
   follow(): () => void {
+    this.left = false;
     const wanted = computed(() => state.value.kinematics);
-    const stop = effect(() => {
+    const stopFollowing = effect(() => {
       void wanted.value;
       untracked(() => void this.pursue());
     });
+    const stopDrawing = this.drawWhilePlaying();
     return () => {
-      stop();
+      stopFollowing();
+      stopDrawing();
+      this.left = true;
+      this.playing.value = false;
       this.crew.leave();
       this.accepted = null;
     };
@@ -63,7 +84,7 @@ export class KinematicsSession {
       while (state.value.kinematics !== this.accepted) {
         const wanted = state.value.kinematics;
         if (await this.make(wanted)) this.accepted = wanted;
-        else if (!this.fallBack(wanted)) return;
+        else if (this.left || !this.fallBack(wanted)) return;
       }
     } finally {
       this.working = false;
@@ -72,8 +93,33 @@ export class KinematicsSession {
 
   /** Looks for the target once more, from a chain that hangs down, and shows that. */
   async hang(): Promise<void> {
-    const { accepted } = this;
-    if (accepted && (await this.reach(taskOf(accepted)))) this.event.value = 0;
+    const { value: search } = this.search;
+    if (!search) return;
+    this.playing.value = false;
+    const task = { ...search.task, start: new Float64Array(), start_q: new Float64Array() };
+    if (await this.reach(task)) this.event.value = 0;
+  }
+
+  /** Draws on, or from the beginning where all is drawn. */
+  play(): void {
+    const { value: drawing } = this.drawing;
+    if (!drawing) return;
+    if (this.place.value === drawing.strokes.length - 1) this.place.value = 0;
+    this.playing.value = true;
+  }
+
+  /** Stops at the present target, whose search can then be gone through. */
+  async pause(): Promise<void> {
+    this.playing.value = false;
+    await this.lookInside();
+  }
+
+  /** Shows how the arm got to this target from the one before. */
+  async goTo(place: number): Promise<void> {
+    const { value: drawing } = this.drawing;
+    if (!drawing) return;
+    this.place.value = Math.min(Math.max(0, place), drawing.strokes.length - 1);
+    await this.pause();
   }
 
   /** Shows the pose after so many events. */
@@ -82,22 +128,89 @@ export class KinematicsSession {
     if (search) this.event.value = Math.min(Math.max(0, event), countEvents(search.answer));
   }
 
-  private async make(wanted: KinematicsSettings): Promise<boolean> {
+  /** The same search that led to the present target, with its events. */
+  private async lookInside(): Promise<void> {
+    const { value: drawing } = this.drawing;
     const { accepted } = this;
+    if (!drawing || !accepted) return;
+    const { value: place } = this.place;
+    const task = { ...taskOf(accepted), target: drawing.targets.slice(3 * place, 3 * place + 3) };
+    await this.reach(place === 0 ? task : { ...task, start_q: poseAt(drawing.followed, place - 1).q });
+  }
+
+  private drawWhilePlaying(): () => void {
+    let asked = 0;
+    let begun = 0;
+    let from = 0;
+    const tick = (now: number) => {
+      asked = requestAnimationFrame(tick);
+      const last = (this.drawing.value?.strokes.length ?? 1) - 1;
+      const place = Math.min(last, from + Math.floor((now - begun) / target_ms));
+      if (place !== this.place.value) this.place.value = place;
+      if (place === last) void this.pause();
+    };
+    const stop = effect(() => {
+      cancelAnimationFrame(asked);
+      void this.drawing.value; // another curve begins its own time
+      if (!this.playing.value) return;
+      begun = performance.now();
+      from = this.place.peek();
+      asked = requestAnimationFrame(tick);
+    });
+    return () => {
+      stop();
+      cancelAnimationFrame(asked);
+    };
+  }
+
+  private make(wanted: KinematicsSettings): Promise<boolean> {
+    return wanted.mode === 'draw' ? this.draw(wanted) : this.aim(wanted);
+  }
+
+  private async draw(wanted: KinematicsSettings): Promise<boolean> {
+    const { accepted } = this;
+    if (accepted && this.drawing.value && isSame({ ...accepted, target: wanted.target }, wanted)) return true;
+    const made = curveFrom(wanted.curve);
+    if (!made.ok) {
+      notify('error', 'page.errors.curve', { field: made.problem.field, column: made.problem.column });
+      return false;
+    }
+    const drawn = drawingTargets(made.curve, sampleCurve(made.curve, wanted.sampling, wanted.points));
+    const outcome = await this.crew.ask<Outcome<Followed>>(async (service) =>
+      service.follow(taskOf(wanted), drawn.targets),
+    );
+    if (!outcome || !isTaken(outcome)) return false;
+    const another = !accepted || accepted.mode === 'aim' || !isSame(accepted.curve, wanted.curve);
+    batch(() => {
+      const last = drawn.strokes.length - 1;
+      this.drawing.value = { ...drawn, followed: outcome.value };
+      if (another) this.place.value = this.still ? last : 0;
+      else this.place.value = Math.min(this.place.value, last);
+      if (another && !this.still) this.playing.value = true;
+    });
+    this.accepted = wanted;
+    if (!this.playing.value) await this.lookInside();
+    return true;
+  }
+
+  private async aim(wanted: KinematicsSettings): Promise<boolean> {
+    const { accepted } = this;
+    this.playing.value = false;
+    this.drawing.value = null;
     const { value: search } = this.search;
     const task = taskOf(wanted);
     if (!accepted || !search || !isSame(chainOf(accepted), chainOf(wanted))) return this.reach(task);
-    if (isSame(taskOf(accepted), task)) return true;
+    if (accepted.mode === 'aim' && isSame(taskOf(accepted), task)) return true;
     // From where the arm is; for the same target by other means from where it was, so that both can be compared.
-    const start_q = isSame(accepted.target, wanted.target) ? search.answer.start_q : search.answer.q;
+    const start_q =
+      accepted.mode === 'aim' && isSame(accepted.target, wanted.target) ? search.answer.start_q : search.answer.q;
     return this.reach({ ...task, start_q });
   }
 
   /** Says why, where the target is refused. */
   private async reach(task: IkTask): Promise<boolean> {
     const outcome = await this.crew.ask<Outcome<IkAnswer>>(async (service) => service.solve(task));
-    if (outcome && !outcome.ok) notifyRefusal(outcome.status);
-    if (!outcome?.ok) return false;
+    if (!outcome || !isTaken(outcome)) return false;
     batch(() => {
       this.search.value = { task, answer: outcome.value };
       this.event.value = countEvents(outcome.value);
@@ -115,19 +228,13 @@ export class KinematicsSession {
   }
 }
 
-export function countEvents(answer: IkAnswer): number {
-  return answer.events.length / 3;
-}
+/** ms: how long the arm stays at a target. */
+const target_ms = 1000 / 30;
 
-/** After so many of the answer's events; the last is where it ended. */
-export function poseAfter(answer: IkAnswer, events: number): Pose {
-  if (events === countEvents(answer)) return { x: answer.x, q: answer.q };
-  if (events === 0) return { x: answer.start_x, q: answer.start_q };
-  const joints = answer.x.length / 3;
-  return {
-    x: answer.event_x.subarray(3 * joints * (events - 1), 3 * joints * events),
-    q: answer.event_q.subarray(4 * joints * (events - 1), 4 * joints * events),
-  };
+/** Says why, where the solver has refused. */
+function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
+  if (!outcome.ok) notifyRefusal(outcome.status);
+  return outcome.ok;
 }
 
 function chainOf({ links, root }: KinematicsSettings) {

@@ -3,6 +3,8 @@ import type { Actions } from '../../app/actions.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { t } from '../../app/messages/index.ts';
 import { en } from './en.ts';
+import { DrawingErrors } from './motion/drawing_errors.tsx';
+import { DrawingTransport } from './motion/drawing_transport.tsx';
 import { useSession } from './use_session.ts';
 import { zh } from './zh.ts';
 import './kinematics.css';
@@ -11,6 +13,7 @@ import './kinematics.css';
 export function KinematicsLab({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh });
   const session = useSession(actions);
+  const { value: drawing } = session.drawing;
   const ready = session.pose.value !== null;
 
   useEffect(() => {
@@ -27,6 +30,8 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <h2>{words.title}</h2>
         <p class="kinematics-intro">{words.intro}</p>
       </header>
+      {drawing && <DrawingTransport session={session} drawing={drawing} />}
+      {drawing && <DrawingErrors session={session} drawing={drawing} />}
     </main>
   );
 }
