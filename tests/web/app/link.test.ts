@@ -6,7 +6,7 @@ import { limits } from '../../../web/src/app/limits.ts';
 import { decodeLink, encodeLink, longestLink } from '../../../web/src/app/link.ts';
 import { pathOf, readPath, rooms } from '../../../web/src/app/route.ts';
 import { type AppState, defaultState } from '../../../web/src/app/state.ts';
-import { samplings } from '../../../web/src/curves/sample_curve.ts';
+import { samplings } from '../../../web/src/curves/sampling.ts';
 import { ikMethods } from '../../../web/src/solver/inverse_kinematics.ts';
 import { methods, minimisers } from '../../../web/src/solver/module.ts';
 

@@ -4,7 +4,8 @@ import type { Curve } from '../../../web/src/curves/curve.ts';
 import { gapsOf } from '../../../web/src/curves/gaps.ts';
 import { largestError } from '../../../web/src/curves/largest_error.ts';
 import { largestGap } from '../../../web/src/curves/largest_gap.ts';
-import { fewestPoints, type SampledCurve, sampleCurve, samplings } from '../../../web/src/curves/sample_curve.ts';
+import { fewestPoints, type SampledCurve, sampleCurve } from '../../../web/src/curves/sample_curve.ts';
+import { samplings } from '../../../web/src/curves/sampling.ts';
 import { curveOf, someChoices } from './some_curves.ts';
 
 const circle = curveOf({ kind: 'circle' });

@@ -1,5 +1,5 @@
 import type { CurveChoice } from '../curves/curve_choice.ts';
-import type { Sampling } from '../curves/sample_curve.ts';
+import type { Sampling } from '../curves/sampling.ts';
 import type { IkMethod, IkTask } from '../solver/inverse_kinematics.ts';
 
 /** From one joint to the next; at rest it hangs straight down. */

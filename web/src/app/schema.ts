@@ -1,5 +1,5 @@
 import * as z from 'zod/mini';
-import { samplings } from '../curves/sample_curve.ts';
+import { samplings } from '../curves/sampling.ts';
 import { ikMethods } from '../solver/inverse_kinematics.ts';
 import { methods, minimisers } from '../solver/module.ts';
 import { comparedLimits, mostMethods } from './integrators.ts';

@@ -1,6 +1,6 @@
 import type { Curve, Stroke } from './curve.ts';
 import { measureCurve } from './measured_curve.ts';
-import type { Sampling } from './sample_curve.ts';
+import type { Sampling } from './sampling.ts';
 
 /** A part of a stroke, and what is to be divided evenly on it. */
 export interface EvenStretch {

@@ -1,8 +1,6 @@
 import type { Curve, Stroke } from './curve.ts';
 import { evenStretches, parameterAt, stepsOf } from './even_stretch.ts';
-
-export const samplings = ['parameter', 'arc-length', 'curvature'] as const;
-export type Sampling = (typeof samplings)[number];
+import type { Sampling } from './sampling.ts';
 
 /** Points of a curve in the order of drawing. A closed stroke's end is not repeated: the gap back to its start closes it. */
 export interface SampledCurve {
