@@ -1,4 +1,4 @@
-import type { CurveChoice } from '../curves/curve_choice.ts';
+import { type CurveChoice, curveLimits } from '../curves/curve_choice.ts';
 import type { Sampling } from '../curves/sampling.ts';
 import type { IkMethod, IkTask } from '../solver/inverse_kinematics.ts';
 
@@ -43,9 +43,7 @@ export const kinematicsLimits = {
   bend: { min: 0, max: 180 }, // degrees
   coordinate: { min: -20, max: 20 }, // m
   points: { min: 8, max: 1000 },
-  letters: 24,
-  formula: 200, // characters
-  path: 20_000, // characters
+  ...curveLimits,
   hand: { strokes: 100, points: 3000 },
   iterations: { min: 1, max: 1000 },
   epsilon: { min: 1e-12, max: 0.1 }, // m

@@ -1,8 +1,8 @@
 import { compileFormula, MeaninglessFormula } from './compile_formula.ts';
+import { curveLimits } from './curve_choice.ts';
 import { type CurveReason, columnAt } from './curve_problem.ts';
 import { formulaGrammar } from './formula_grammar.ts';
 
-const longest = 200;
 const deepest = 30; // parentheses; the parser's own stack bears about a hundred
 
 export interface Formula {
@@ -20,7 +20,8 @@ export interface FormulaMistake {
 export function parseFormula(typed: string): Formula | FormulaMistake {
   const mistake = (index: number, reason: CurveReason) => ({ column: columnAt(typed, index), reason });
   if (typed.trim() === '') return mistake(0, { code: 'empty' });
-  if (typed.length > longest) return mistake(longest, { code: 'too_long', maximum: longest });
+  const maximum = curveLimits.formula;
+  if (typed.length > maximum) return mistake(maximum, { code: 'too_long', maximum });
   const text = halfWidth(typed);
   const parentheses = parenthesesOf(text);
   if (parentheses.tooDeep !== null) return mistake(parentheses.tooDeep, { code: 'nested_too_deep', maximum: deepest });

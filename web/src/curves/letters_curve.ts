@@ -1,17 +1,16 @@
 import type { Stroke } from './curve.ts';
+import { curveLimits } from './curve_choice.ts';
 import { type CurveResult, refused } from './curve_problem.ts';
 import { fitInBox } from './fit_in_box.ts';
 import { baseline, gapBetweenLetters, glyphs } from './glyphs.ts';
 import { pathStrokes } from './path_strokes.ts';
 
-export const longestText = 24;
-
 /** A line of text in the lab's own stroke font, fitted into the box. */
 export function lettersCurve(text: string): CurveResult {
   const characters = [...text];
   if (text.trim() === '') return refused('text', 1, { code: 'empty' });
-  if (characters.length > longestText)
-    return refused('text', longestText + 1, { code: 'too_long', maximum: longestText });
+  const maximum = curveLimits.letters;
+  if (characters.length > maximum) return refused('text', maximum + 1, { code: 'too_long', maximum });
   const strokes: Stroke[] = [];
   let left = 0;
   for (const [k, character] of characters.entries()) {

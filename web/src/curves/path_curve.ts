@@ -1,14 +1,14 @@
+import { curveLimits } from './curve_choice.ts';
 import { type CurveResult, columnAt, refused } from './curve_problem.ts';
 import { fitInBox } from './fit_in_box.ts';
 import { pathDataIn } from './path_data_in.ts';
 import { pathStrokes } from './path_strokes.ts';
 
-const longest = 20_000;
-
 /** An SVG path, or all paths of pasted markup, fitted into the box. */
 export function pathCurve(text: string): CurveResult {
   if (text.trim() === '') return refused('d', 1, { code: 'empty' });
-  if (text.length > longest) return refused('d', columnAt(text, longest), { code: 'too_long', maximum: longest });
+  const maximum = curveLimits.path;
+  if (text.length > maximum) return refused('d', columnAt(text, maximum), { code: 'too_long', maximum });
   const found = pathDataIn(text);
   if (found.length === 0) return refused('d', 1, { code: 'no_path_in_markup' });
   const strokes = [];
