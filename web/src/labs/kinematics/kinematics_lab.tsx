@@ -1,7 +1,9 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useMemo } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { t } from '../../app/messages/index.ts';
+import { Arm } from '../../views/scene3d/arm.tsx';
+import { FloorPen } from '../../views/scene3d/floor_pen.ts';
 import { en } from './en.ts';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
@@ -14,6 +16,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh });
   const session = useSession(actions);
   const { value: drawing } = session.drawing;
+  const pen = useMemo(() => new FloorPen(actions, session.pose), [actions, session]);
   const ready = session.pose.value !== null;
 
   useEffect(() => {
@@ -30,7 +33,12 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <h2>{words.title}</h2>
         <p class="kinematics-intro">{words.intro}</p>
       </header>
-      {drawing && <DrawingTransport session={session} drawing={drawing} />}
+      <div class="kinematics-stage">
+        <div class="kinematics-arm">
+          <Arm session={session} actions={actions} pen={pen} />
+          {drawing && <DrawingTransport session={session} drawing={drawing} />}
+        </div>
+      </div>
       {drawing && <DrawingErrors session={session} drawing={drawing} />}
     </main>
   );

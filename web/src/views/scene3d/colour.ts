@@ -10,3 +10,9 @@ export function parseColour(hex: string): Rgb {
 export function mixColours(from: Rgb, to: Rgb, fraction: number): Rgb {
   return [0, 1, 2].map((c) => Math.round(from[c] + fraction * (to[c] - from[c]))) as Rgb;
 }
+
+/** Likewise of "#rrggbb". */
+export function mixHex(from: string, to: string, fraction: number): string {
+  const channels = mixColours(parseColour(from), parseColour(to), fraction);
+  return `#${channels.map((channel) => channel.toString(16).padStart(2, '0')).join('')}`;
+}

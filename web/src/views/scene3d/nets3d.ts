@@ -148,7 +148,6 @@ export class Nets3D {
       p: frame.nets[0],
       pinned: frame.pinned,
       targets: frame.targets,
-      background: this.options.palette.background,
       poke: poke && { ...poke, poking: content.poking },
       view: (name) => content.views[Number(name)],
       refresh: (pixelsPerMetre) => content.refresh(frame, this.options, this.marked, pixelsPerMetre),

@@ -119,7 +119,6 @@ export class Scene3D {
       pinned,
       targets,
       poke: null,
-      background: this.options.palette.background,
       view: (name) => content.views[name as ViewName],
       refresh: (pixelsPerMetre) => {
         const legend = content.refresh(staged, this.options, pixelsPerMetre);

@@ -1,0 +1,66 @@
+import { effect, type ReadonlySignal } from '@preact/signals';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { floorRadius } from './arm_floor.ts';
+import { reachIn } from './arm_picture.ts';
+import type { Arm3D } from './arm3d.ts';
+
+interface Props {
+  arm: Arm3D;
+  joints: number;
+  pointed: number | null;
+  /** Changes with every picture. */
+  pictures: ReadonlySignal<number>;
+}
+
+/** CSS pixels: labels nearer to the one before would only cover it. */
+const crowded = 15;
+/** Of the floor, where its axes are named. */
+const axisEnd = 0.36;
+
+/** The joints' numbers beside them, and the names of the floor's axes. */
+export function ArmLabels({ arm, joints, pointed, pictures }: Props) {
+  const list = useRef<HTMLDivElement>(null);
+
+  // Without rendering it anew with every picture.
+  useLayoutEffect(
+    () =>
+      effect(() => {
+        void pictures.value;
+        if (list.current) placeLabels(list.current, arm);
+      }),
+    [arm, pictures, joints],
+  );
+
+  return (
+    <div ref={list} class="arm-labels" aria-hidden="true">
+      {Array.from({ length: joints }, (_, joint) => (
+        <span key={joint} class={joint === pointed ? 'arm-joint pointed' : 'arm-joint'}>
+          {joint}
+        </span>
+      ))}
+      <span key="x" class="arm-axis">
+        x
+      </span>
+      <span key="z" class="arm-axis">
+        z
+      </span>
+    </div>
+  );
+}
+
+function placeLabels(list: HTMLElement, arm: Arm3D): void {
+  const picture = arm.eye()?.picture;
+  if (!picture) return;
+  const along = axisEnd * floorRadius(reachIn(picture));
+  const { x, root } = picture;
+  const points = [...x, root[0] + along, 0, 0, 0, 0, root[2] + along];
+  let last = { x: Number.NEGATIVE_INFINITY, y: 0 };
+  [...list.children].forEach((label, at) => {
+    const place = arm.placeOf(points.slice(3 * at, 3 * at + 3));
+    const shown = place && Math.hypot(place.x - last.x, place.y - last.y) > crowded;
+    (label as HTMLElement).hidden = !shown;
+    if (!shown) return;
+    last = place;
+    (label as HTMLElement).style.translate = `${place.x}px ${place.y}px`;
+  });
+}

@@ -1,0 +1,43 @@
+import { inLanguage } from '../../app/messages/in_language.ts';
+import { t } from '../../app/messages/index.ts';
+import { Icon } from '../../lib/icon.tsx';
+import { en } from './arm_en.ts';
+import { zh } from './arm_zh.ts';
+import { type FloorPen, strokesNow } from './floor_pen.ts';
+
+/** Takes the pen for the floor or puts it away, and clears what it has drawn. */
+export function FloorPenButtons({ pen }: { pen: FloorPen }) {
+  const words = inLanguage({ en, zh });
+  const on = pen.on.value;
+  return (
+    <>
+      <button type="button" class="floor-pen" aria-pressed={on} onClick={() => (on ? pen.putAway() : pen.take())}>
+        {words.draw}
+      </button>
+      {on && (
+        <button type="button" disabled={strokesNow().length === 0} onClick={() => pen.clear()}>
+          {words.clear}
+        </button>
+      )}
+    </>
+  );
+}
+
+export function ArmTools({ pen, onFit }: { pen: FloorPen; onFit: () => void }) {
+  const words = inLanguage({ en, zh });
+  return (
+    <div class="arm-tools">
+      <FloorPenButtons pen={pen} />
+      <button
+        type="button"
+        class="arm-fit"
+        aria-label={t('page.stage.fit')}
+        title={t('page.stage.fit')}
+        onClick={onFit}
+      >
+        <Icon name="fit" />
+      </button>
+      <p class="arm-hint">{pen.on.value ? words.penHint : words.hint}</p>
+    </div>
+  );
+}

@@ -1,0 +1,18 @@
+import { useEffect, useState } from 'preact/hooks';
+
+/** ms without a change, after which a screen reader is told. */
+const quiet = 700;
+
+/** What a screen reader is told of something that keeps changing: only what it has come to. */
+export function QuietLine({ text }: { text: string }) {
+  const [said, say] = useState('');
+  useEffect(() => {
+    const timer = setTimeout(() => say(text), quiet);
+    return () => clearTimeout(timer);
+  }, [text]);
+  return (
+    <p class="visually-hidden" aria-live="polite">
+      {said}
+    </p>
+  );
+}
