@@ -2,11 +2,11 @@
 
 import type { SectionId } from './sections.ts';
 
-/** Custom properties of colours.css. The seven symbols that meet in the two equations have a colour each, the rest share one. */
+/** Custom properties of colours.css. The seven symbols that meet in the two equations have a colour each, the rest share one. Arms and springs meet nowhere: their symbols take the same colours. */
 export type ColourToken = `--symbol-${'p' | 'd' | 'r' | 'k' | 'Q' | 'b' | 'y' | 'other'}`;
 
-/** What rows or columns are counted by: springs, vertices, pins, a spring's two ends, x, y and z, or those of all vertices or of all but the pins. */
-export type Axis = '#E' | '#V' | '#pinned' | '2' | '3' | '3#V' | '3#free';
+/** What rows or columns are counted by: springs, vertices, pins, a spring's two ends, x, y and z, or those of all vertices or of all but the pins; of an arm its joints, its links, a quaternion's numbers, or x, y and z of all joints that turn a link. */
+export type Axis = '#E' | '#V' | '#pinned' | '2' | '3' | '3#V' | '3#free' | '#joints' | '#links' | '4' | '3#links';
 
 export interface NotationSymbol {
   tex: string;
@@ -17,8 +17,8 @@ export interface NotationSymbol {
   /** SI unit; null when dimensionless. */
   unit: string | null;
   colour: ColourToken;
-  /** Where the lesson introduces it. */
-  section: SectionId;
+  /** Where the lesson introduces it; null: the lesson, which is about springs, does not. */
+  section: SectionId | null;
   /** TeX of what it equals, in the macros of macros.ts, where an equation says it best. */
   definition?: string;
 }
@@ -279,6 +279,96 @@ export const symbols = {
     section: 'trick',
     definition: raw`\symkappa = \max_i \tfrac{\symdeltaT^2}{\symm_i} \textstyle\sum_j \symk_{ij}`,
   },
+  x: {
+    tex: raw`\mathbf{x}`,
+    code: 'x',
+    shape: ['#joints', '3'],
+    unit: 'm',
+    colour: '--symbol-p',
+    section: null,
+    definition: raw`\symx_i = \symx_{i-1} + \symR_{i-1}\symo_i`,
+  },
+  o: { tex: raw`\mathbf{o}`, code: 'offsets', shape: ['#links', '3'], unit: 'm', colour: '--symbol-r', section: null },
+  q: { tex: raw`\mathbf{q}`, code: 'q', shape: ['#joints', '4'], unit: null, colour: '--symbol-d', section: null },
+  R: {
+    tex: raw`\mathbf{R}`,
+    code: 'R',
+    shape: ['3', '3'],
+    unit: null,
+    colour: '--symbol-k',
+    section: null,
+    definition: raw`\symR_i = \symR_{i-1}\symq_i`,
+  },
+  xTarget: {
+    tex: raw`\mathbf{x}^{*}`,
+    code: 'target',
+    shape: ['3'],
+    unit: 'm',
+    colour: '--symbol-y',
+    section: null,
+  },
+  toEffector: {
+    tex: raw`\mathbf{s}`,
+    code: 'ray',
+    shape: ['3'],
+    unit: 'm',
+    colour: '--symbol-other',
+    section: null,
+    definition: raw`\symtoEffector_i = \symx_n - \symx_i`,
+  },
+  toTarget: {
+    tex: raw`\mathbf{t}`,
+    code: 'wanted',
+    shape: ['3'],
+    unit: 'm',
+    colour: '--symbol-other',
+    section: null,
+    definition: raw`\symtoTarget_i = \symxTarget - \symx_i`,
+  },
+  theta: {
+    tex: raw`\theta`,
+    code: 'angle',
+    shape: [],
+    unit: 'rad',
+    colour: '--symbol-b',
+    section: null,
+    definition: raw`\symtheta_i = \operatorname{atan2}(\lVert \symtoEffector_i \times \symtoTarget_i \rVert,\; \symtoEffector_i \cdot \symtoTarget_i)`,
+  },
+  missing: {
+    tex: raw`\mathbf{e}`,
+    code: 'missing',
+    shape: ['3'],
+    unit: 'm',
+    colour: '--symbol-other',
+    section: null,
+    definition: raw`\symmissing = \symxTarget - \symx_n`,
+  },
+  J: {
+    tex: raw`\mathbf{J}`,
+    code: 'J',
+    shape: ['3', '3#links'],
+    unit: 'm',
+    colour: '--symbol-Q',
+    section: null,
+    definition: raw`\symJ = \partial\symx_n / \partial\symturn`,
+  },
+  turn: {
+    tex: raw`\boldsymbol{\Delta}`,
+    code: 'turn',
+    shape: ['3#links'],
+    unit: 'rad',
+    colour: '--symbol-d',
+    section: null,
+  },
+  lambda: {
+    tex: raw`\lambda`,
+    code: 'damping',
+    shape: [],
+    unit: 'm',
+    colour: '--symbol-other',
+    section: null,
+  },
+  epsilon: { tex: raw`\varepsilon`, code: 'epsilon', shape: [], unit: 'm', colour: '--symbol-other', section: null },
 } as const satisfies Record<string, NotationSymbol>;
 
 export type SymbolId = keyof typeof symbols;
@@ -295,6 +385,10 @@ const counted: Record<Axis, Thing | null> = {
   '3': null,
   '3#V': 'vertex',
   '3#free': 'vertex',
+  '#joints': null,
+  '#links': null,
+  '4': null,
+  '3#links': null,
 };
 
 /** What each row or column along an axis belongs to, if to any one thing. */

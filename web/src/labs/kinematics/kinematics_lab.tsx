@@ -5,8 +5,12 @@ import { t } from '../../app/messages/index.ts';
 import { Arm } from '../../views/scene3d/arm.tsx';
 import { FloorPen } from '../../views/scene3d/floor_pen.ts';
 import { en } from './en.ts';
+import { Equations } from './equations/equations.tsx';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
+import { MethodChoice } from './settings/method_choice.tsx';
+import { Settings } from './settings/settings.tsx';
+import { Trace } from './trace/trace.tsx';
 import { useSession } from './use_session.ts';
 import { zh } from './zh.ts';
 import './kinematics.css';
@@ -15,8 +19,8 @@ import './kinematics.css';
 export function KinematicsLab({ actions }: { actions: Actions }) {
   const words = inLanguage({ en, zh });
   const session = useSession(actions);
-  const { value: drawing } = session.drawing;
   const pen = useMemo(() => new FloorPen(actions, session.pose), [actions, session]);
+  const { value: drawing } = session.drawing;
   const ready = session.pose.value !== null;
 
   useEffect(() => {
@@ -37,9 +41,15 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <div class="kinematics-arm">
           <Arm session={session} actions={actions} pen={pen} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
+          <Trace session={session} />
+        </div>
+        <div class="kinematics-equations">
+          <MethodChoice actions={actions} />
+          <Equations session={session} />
         </div>
       </div>
       {drawing && <DrawingErrors session={session} drawing={drawing} />}
+      <Settings actions={actions} />
     </main>
   );
 }

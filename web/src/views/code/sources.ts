@@ -81,7 +81,10 @@ function bodyOf(part: CodePart): { line: string; at: number }[] {
   return lines.slice(head + 1, end - 1).map((line, at) => ({ line, at: head + 1 + at }));
 }
 
-const symbolWithCode = new Map(symbolIds.map((id) => [symbol(id).code, id]));
+/** The files are about what the lesson is about. */
+const symbolWithCode = new Map(
+  symbolIds.filter((id) => symbol(id).section !== null).map((id) => [symbol(id).code, id]),
+);
 
 /** Symbols that have another name in a file than in the symbol table. */
 const otherNames: Partial<Record<SourceFile, Readonly<Record<string, SymbolId>>>> = {

@@ -5,24 +5,32 @@ import { parseNumber } from '../../lib/parse_number.ts';
 
 interface Props {
   id: string;
-  value: number;
+  /** Null: none, an empty field. */
+  value: number | null;
   min: number;
   max: number;
   whole?: boolean;
   unit: string;
   onSet: (value: number) => void;
+  /** Where there need not be a number: what an empty field does. */
+  onClear?: () => void;
   /** Stands behind the unit. */
   children?: ComponentChildren;
 }
 
 /** An exact value as text; what cannot be read or is out of range is answered with a sentence. */
-export function NumberField({ id, value, min, max, whole = false, unit, onSet, children }: Props) {
+export function NumberField({ id, value, min, max, whole = false, unit, onSet, onClear, children }: Props) {
   const [problem, setProblem] = useState<string | null>(null);
   useEffect(() => setProblem(null), [value]); // a slider or a reset has answered it
 
+  const shown = value === null ? '' : showNumber(value);
+
   const read = (text: string) => {
     const number = parseNumber(text, unit);
-    if (number === null) setProblem(t('page.controls.notANumber', { text }));
+    if (text.trim() === '' && onClear) {
+      setProblem(null);
+      onClear();
+    } else if (number === null) setProblem(t('page.controls.notANumber', { text }));
     else if (number < min || number > max)
       setProblem(t('page.controls.outOfRange', { value: text, min: showNumber(min), max: showNumber(max) }));
     else if (whole && !Number.isInteger(number)) setProblem(t('page.controls.notWhole', { value: text }));
@@ -39,11 +47,11 @@ export function NumberField({ id, value, min, max, whole = false, unit, onSet, c
           id={id}
           inputMode="decimal"
           autocomplete="off"
-          value={showNumber(value)}
+          value={shown}
           aria-describedby={problem ? `${id}-problem` : undefined}
           onChange={({ currentTarget: input }) => {
             read(input.value);
-            input.value = showNumber(value); // a refused text stays in the sentence only; an accepted one is drawn next
+            input.value = shown; // a refused text stays in the sentence only; an accepted one is drawn next
           }}
           onKeyDown={(event) => {
             if (event.key === 'Enter') event.currentTarget.blur(); // and the page's own keys work again

@@ -1,21 +1,12 @@
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
+import { useKeyboardScroll } from '../../lib/use_keyboard_scroll.ts';
 import { Formula } from './formula.tsx';
 import './prose.css';
 
-/** A formula on lines of its own. Where it is wider than its place it scrolls, and then the keyboard can reach it to do so. */
+/** A formula on lines of its own. Where it is wider than its place it scrolls. */
 export function WideFormula({ tex }: { tex: string }) {
   const host = useRef<HTMLDivElement>(null);
-
-  useLayoutEffect(() => {
-    const element = host.current as HTMLDivElement;
-    const observer = new ResizeObserver(() => {
-      if (element.scrollWidth > element.clientWidth) element.tabIndex = 0;
-      else element.removeAttribute('tabindex');
-    });
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, []);
-
+  useKeyboardScroll(host);
   return (
     <div ref={host} class="wide-formula">
       <Formula tex={tex} display />

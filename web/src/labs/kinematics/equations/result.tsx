@@ -1,0 +1,33 @@
+import type { Search } from '../../../app/kinematics_session.ts';
+import { inLanguage } from '../../../app/messages/in_language.ts';
+import { fillTemplate } from '../../../lib/fill_template.ts';
+import { formatLength } from '../../../lib/format.ts';
+import { SymbolButton } from '../../../views/equations/symbol_button.tsx';
+import type { Moment } from '../trace/moment.ts';
+import { en } from './en.ts';
+import { ErrorChart } from './error_chart.tsx';
+import { outcomeText } from './outcome_text.ts';
+import { zh } from './zh.ts';
+
+/** What came of the search, and how the error went down. */
+export function Result({ search, moment }: { search: Search; moment: Moment }) {
+  const words = inLanguage({ en, zh }).result;
+  const { task, answer } = search;
+  const enough = answer.error <= task.epsilon;
+  return (
+    <section class="arm-result" aria-label={words.heading} data-outcome={answer.outcome}>
+      <h3>{words.heading}</h3>
+      <p class={answer.outcome === 'CONVERGED' ? 'arm-outcome' : 'arm-outcome arm-outcome-short'}>
+        {outcomeText(search)}
+      </p>
+      <p class="equation-facts">
+        <span>
+          {words.error} {formatLength(answer.error)} {enough ? '≤' : '>'} <SymbolButton id="epsilon" /> ={' '}
+          {formatLength(task.epsilon)}
+        </span>
+        <span>{fillTemplate(words.iterations, { made: answer.iterations, most: task.iterations })}</span>
+      </p>
+      {answer.iterations > 0 && <ErrorChart search={search} moment={moment} />}
+    </section>
+  );
+}

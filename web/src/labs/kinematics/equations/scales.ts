@@ -1,0 +1,7 @@
+import type { ColumnScale } from '../../../lib/format.ts';
+
+/** All joints in the same unit: a millimetre is what the eye sees of an arm. */
+export const metres: ColumnScale = { factor: 1, unit: 'm', decimals: 3 };
+
+/** Of directions and rotations. */
+export const plain: ColumnScale = { factor: 1, unit: '', decimals: 3 };
