@@ -1,10 +1,11 @@
 import { type ReadonlySignal, useComputed, useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
-import { countEvents, type KinematicsSession, type Search } from '../../app/kinematics_session.ts';
+import type { KinematicsSession, Search } from '../../app/kinematics_session.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { notify } from '../../app/notices.ts';
 import { pointedJoint } from '../../app/pointed_joint.ts';
+import { countEvents } from '../../app/pose.ts';
 import { appliedTheme } from '../../app/preferences.ts';
 import { state } from '../../app/state.ts';
 import { fillTemplate } from '../../lib/fill_template.ts';

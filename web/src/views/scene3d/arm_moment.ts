@@ -1,4 +1,5 @@
-import { poseAfter, type Search } from '../../app/kinematics_session.ts';
+import type { Search } from '../../app/kinematics_session.ts';
+import { poseAfter } from '../../app/pose.ts';
 import { ikEventKinds } from '../../solver/inverse_kinematics.ts';
 
 /** What there is to mark at an event of a search, besides where the joints are then. */

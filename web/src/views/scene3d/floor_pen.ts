@@ -1,7 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Actions } from '../../app/actions.ts';
 import { kinematicsLimits } from '../../app/kinematics.ts';
-import type { Pose } from '../../app/kinematics_session.ts';
+import type { Pose } from '../../app/pose.ts';
 import { state } from '../../app/state.ts';
 import type { Point2 } from '../../curves/curve.ts';
 import { rounded } from './arm_geometry.ts';

@@ -1,5 +1,6 @@
-import type { KinematicsSession, Pose, Search } from '../../../app/kinematics_session.ts';
+import type { KinematicsSession, Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
+import type { Pose } from '../../../app/pose.ts';
 import { momentAt } from '../trace/moment.ts';
 import { en } from './en.ts';
 import { ForwardPanel } from './forward_panel.tsx';

@@ -1,4 +1,5 @@
-import type { Pose, Search } from '../../../app/kinematics_session.ts';
+import type { Search } from '../../../app/kinematics_session.ts';
+import type { Pose } from '../../../app/pose.ts';
 import { axisAngle, matrixOf, multiply, type Quaternion, quaternionAt } from '../../../lib/quaternion.ts';
 import { norm, row, subtract, type Vector } from '../../../lib/vector.ts';
 

@@ -1,7 +1,8 @@
 import { useState } from 'preact/hooks';
-import type { Pose, Search } from '../../../app/kinematics_session.ts';
+import type { Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { pointedJoint } from '../../../app/pointed_joint.ts';
+import type { Pose } from '../../../app/pose.ts';
 import { formatInColumn } from '../../../lib/format.ts';
 import { Formula } from '../../../views/equations/formula.tsx';
 import { formatAngle } from './angles.ts';

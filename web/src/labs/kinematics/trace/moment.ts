@@ -1,4 +1,5 @@
-import { countEvents, type Pose, poseAfter, type Search } from '../../../app/kinematics_session.ts';
+import type { Search } from '../../../app/kinematics_session.ts';
+import { countEvents, type Pose, poseAfter } from '../../../app/pose.ts';
 import { norm, row, subtract, type Vector } from '../../../lib/vector.ts';
 import { type IkEventKind, ikEventKinds } from '../../../solver/inverse_kinematics.ts';
 

@@ -1,5 +1,6 @@
-import { countEvents, type KinematicsSession, type Search } from '../../../app/kinematics_session.ts';
+import type { KinematicsSession, Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
+import { countEvents } from '../../../app/pose.ts';
 import { StepButton } from '../../../views/stepper/step_button.tsx';
 import { en } from './en.ts';
 import { iterationEnds, momentAt } from './moment.ts';
