@@ -142,11 +142,17 @@ export class KinematicsSession {
     let asked = 0;
     let begun = 0;
     let from = 0;
+    let legibleSince = 0;
     const tick = (now: number) => {
       asked = requestAnimationFrame(tick);
       const last = (this.drawing.value?.strokes.length ?? 1) - 1;
       const place = Math.min(last, from + Math.floor((now - begun) / target_ms));
-      if (place !== this.place.value) this.place.value = place;
+      if (place === this.place.value) return;
+      this.place.value = place;
+      if (this.crew.queue === 0 && now > legibleSince + legible_ms) {
+        legibleSince = now;
+        void this.lookInside();
+      }
       if (place === last) void this.pause();
     };
     const stop = effect(() => {
@@ -181,15 +187,15 @@ export class KinematicsSession {
     );
     if (!outcome || !isTaken(outcome)) return false;
     const another = !accepted || accepted.mode === 'aim' || !isSame(accepted.curve, wanted.curve);
+    const last = drawn.strokes.length - 1;
     batch(() => {
-      const last = drawn.strokes.length - 1;
       this.drawing.value = { ...drawn, followed: outcome.value };
       if (another) this.place.value = this.still ? last : 0;
       else this.place.value = Math.min(this.place.value, last);
-      if (another && !this.still) this.playing.value = true;
     });
     this.accepted = wanted;
-    if (!this.playing.value) await this.lookInside();
+    await this.lookInside();
+    if (another && !this.still) this.play();
     return true;
   }
 
@@ -227,6 +233,9 @@ export class KinematicsSession {
     return true;
   }
 }
+
+/** ms: how long numbers stand while the arm draws. */
+const legible_ms = 200;
 
 /** ms: how long the arm stays at a target. */
 const target_ms = 1000 / 30;

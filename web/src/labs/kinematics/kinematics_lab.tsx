@@ -42,13 +42,13 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
           <Arm session={session} actions={actions} pen={pen} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
           <Trace session={session} />
+          {drawing && <DrawingErrors session={session} drawing={drawing} />}
         </div>
         <div class="kinematics-equations">
           <MethodChoice actions={actions} />
           <Equations session={session} />
         </div>
       </div>
-      {drawing && <DrawingErrors session={session} drawing={drawing} />}
       <Settings actions={actions} />
     </main>
   );
