@@ -119,6 +119,12 @@ describe.each(ikMethods)('%s', (method) => {
     expect(joint(first.x, 4).distanceTo(joint(second.x, 4))).toBeLessThan(1e-12);
   });
 
+  test('has converged where a target is out of reach by less than ε', () => {
+    const { outcome, error } = solve(task([2.6 + 5e-5, 1.7, 0], { method }));
+    expect(outcome).toBe('CONVERGED');
+    expect(error).toBeCloseTo(5e-5, 12);
+  });
+
   test('folds over what is too near for its longest link', () => {
     const { outcome, error, x } = solve(task([0, 1.5, 0], { method }, [0.3, 2, 0.5]));
     // 2 m one way, 0.3 and 0.5 m the other: 1.2 m are the least.

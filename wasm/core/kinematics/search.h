@@ -57,21 +57,22 @@ Solution<Scalar> search(const Chain<Scalar>& chain, const Pose<Scalar>& start,
   if (limits.any()) limits.hold(pose);
   solution.start = pose;
   using Kind = typename Event<Scalar>::Kind;
+  const auto error = [&] { return (pose.effector() - target).norm(); };
   const auto straight = nearest_straight_pose(chain, target);
+  const auto ended = [&](Outcome otherwise) {
+    solution.outcome = error() <= settings.epsilon ? Outcome::converged  // also of just too far
+                       : straight                  ? Outcome::unreachable
+                                                   : otherwise;
+    return solution;
+  };
   if (straight && !limits.bending()) {
     rotations_from_positions(chain, *straight, pose);
     if (limits.any()) limits.hold(pose);  // it comes nearer every time it is looked for
     solution.events.push_back({0, Kind::straight, -1, pose.x, pose.q});
-    solution.outcome = Outcome::unreachable;
-    return solution;
+    return ended(Outcome::unreachable);
   }
-  const auto ended = [&](Outcome outcome) {
-    solution.outcome = straight ? Outcome::unreachable : outcome;
-    return solution;
-  };
   // Of the chain's length: what rounding moves a joint by.
   const Scalar resolution = 4 * std::numeric_limits<Scalar>::epsilon() * reach(chain);
-  const auto error = [&] { return (pose.effector() - target).norm(); };
   bool bent = false;
   while (error() > settings.epsilon) {
     if (solution.iterations == settings.iterations) return ended(Outcome::max_iterations);
