@@ -78,6 +78,7 @@ describe('parseFormula', () => {
     ['constructor(t)', 1, { code: 'unknown_name', name: 'constructor' }],
     ['t + 正弦(t)', 5, { code: 'unknown_name', name: '正弦' }],
     ['2 sin t', 3, { code: 'function_without_parentheses', name: 'sin' }],
+    ['2 + sin 2t', 5, { code: 'function_without_parentheses', name: 'sin' }],
     ['sin^2(t)', 1, { code: 'function_without_parentheses', name: 'sin' }],
     ['1 + sin()', 5, { code: 'wrong_number_of_arguments', name: 'sin', count: 0 }],
     ['sin(t, 2)', 1, { code: 'wrong_number_of_arguments', name: 'sin', count: 2 }],

@@ -82,8 +82,8 @@ describe('sampleCurve', () => {
     });
   });
 
-  it('by curvature puts the share of length and turning evenly, twice as much of both as of length', () => {
-    // From (1, 0) the density 1 + κ L/2π of the ellipse falls from 1 + 16 · 0.6826 to 1 + 0.25 · 0.6826.
+  it('by curvature has the density 1 + κ L/Θ', () => {
+    // An ellipse turns by Θ = 2π. With the half-axes 1 and ¼ κ is 16 at (1, 0), where the points begin, and ¼ at (0, ¼).
     const gaps = lengthsOfGaps(sampleCurve(ellipse, 'curvature', 400), ellipse);
     const kappaScale = 4.28921088 / (2 * Math.PI);
     const ratio = (gaps[100] as number) / (gaps[0] as number);
@@ -94,6 +94,16 @@ describe('sampleCurve', () => {
 });
 
 describe('largestGap', () => {
+  it('by curvature is hardly more than twice the average, for only half of the points go by turning', () => {
+    for (const choice of someChoices) {
+      const curve = curveOf(choice);
+      const sampled = sampleCurve(curve, 'curvature', 400);
+      const lengths = lengthsOfGaps(sampled, curve);
+      const mean = lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
+      expect(largestGap(sampled, curve).length).toBeLessThan(2.1 * mean); // whole numbers of steps
+    }
+  });
+
   it('of n points on a circle is a side of the regular polygon', () => {
     for (const n of [8, 31, 400]) {
       const { length } = largestGap(sampleCurve(circle, 'parameter', n), circle);

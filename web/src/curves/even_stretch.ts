@@ -17,12 +17,14 @@ export function evenStretches(curve: Curve, sampling: Sampling): EvenStretch[] {
     return curve.strokes.map(({ from, to }, stroke) => ({ stroke, t: [from, to], upTo: [0, to - from] }));
   const stretches = measureCurve(curve);
   if (sampling === 'arc-length') return stretches.map(({ stroke, t, length }) => ({ stroke, t, upTo: length }));
-  const lengthOfStroke = curve.strokes.map(() => 0);
-  for (const { stroke, length } of stretches) lengthOfStroke[stroke] += length.at(-1) as number;
-  return stretches.map(({ stroke, t, length, turn }) => {
-    const perTurn = (lengthOfStroke[stroke] as number) / (2 * Math.PI);
-    return { stroke, t, upTo: length.map((s, k) => s + (turn[k] as number) * perTurn) };
-  });
+  const sum = (of: 'length' | 'turn') =>
+    stretches.reduce((total, stretch) => total + (stretch[of].at(-1) as number), 0);
+  const perRadian = sum('turn') > 0 ? sum('length') / sum('turn') : 0; // a half of it all is length, the other half turning
+  return stretches.map(({ stroke, t, length, turn }) => ({
+    stroke,
+    t,
+    upTo: length.map((s, k) => s + (turn[k] as number) * perRadian),
+  }));
 }
 
 /** The parameter up to which the given share of the stretch lies. */

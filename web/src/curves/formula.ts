@@ -1,7 +1,7 @@
 import { compileFormula, MeaninglessFormula } from './compile_formula.ts';
 import { curveLimits } from './curve_choice.ts';
 import { type CurveReason, columnAt } from './curve_problem.ts';
-import { formulaGrammar } from './formula_grammar.ts';
+import { formulaGrammar, functions } from './formula_grammar.ts';
 
 const deepest = 30; // parentheses; the parser's own stack bears about a hundred
 
@@ -30,6 +30,9 @@ export function parseFormula(typed: string): Formula | FormulaMistake {
   if (match.failed()) {
     const index = match.getRightmostFailurePosition();
     if (index < text.length) {
+      const [name = ''] = /\p{L}+(?=\s*$)/u.exec(text.slice(0, index)) ?? [];
+      if (functions.has(name.toLowerCase()))
+        return mistake(text.lastIndexOf(name, index), { code: 'function_without_parentheses', name });
       if (index === parentheses.unopened) return mistake(index, { code: 'not_opened' });
       return mistake(index, { code: 'unexpected', found: String.fromCodePoint(typed.codePointAt(index) as number) });
     }

@@ -23,7 +23,7 @@ export function fewestPoints({ strokes }: Curve): number {
  * `budget` points of the curve, or fewestPoints(curve) if that is more.
  * - parameter: equal steps of t, in all strokes as nearly the same as whole numbers of steps permit.
  * - arc-length: equal lengths likewise, with a point in every corner.
- * - curvature: equal shares of length and turning likewise. A full turn counts as much as the length of its stroke: density 1 + κ L/2π.
+ * - curvature: likewise, one half by length and the other by turning: density 1 + κ L/Θ, Θ being how far the curve of length L turns in all.
  */
 export function sampleCurve(curve: Curve, sampling: Sampling, budget: number): SampledCurve {
   const stretches = evenStretches(curve, sampling);

@@ -4,10 +4,12 @@ import { inLanguage } from '../../app/messages/in_language.ts';
 import { t } from '../../app/messages/index.ts';
 import { Arm } from '../../views/scene3d/arm.tsx';
 import { FloorPen } from '../../views/scene3d/floor_pen.ts';
+import { DrawingControls } from './drawing/drawing_controls.tsx';
 import { en } from './en.ts';
 import { Equations } from './equations/equations.tsx';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
+import { EvenSampling } from './sampling/even_sampling.tsx';
 import { MethodChoice } from './settings/method_choice.tsx';
 import { Settings } from './settings/settings.tsx';
 import { Trace } from './trace/trace.tsx';
@@ -41,6 +43,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <div class="kinematics-arm">
           <Arm session={session} actions={actions} pen={pen} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
+          <DrawingControls actions={actions} pen={pen} />
           <Trace session={session} />
           {drawing && <DrawingErrors session={session} drawing={drawing} />}
         </div>
@@ -49,6 +52,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
           <Equations session={session} />
         </div>
       </div>
+      <EvenSampling actions={actions} />
       <Settings actions={actions} />
     </main>
   );
