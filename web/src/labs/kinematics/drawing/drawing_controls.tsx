@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import type { Actions } from '../../../app/actions.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
@@ -35,10 +36,16 @@ export function DrawingControls({ actions, pen }: Props) {
     if (choice) actions.setKinematics({ mode: 'draw', curve: choice });
     if (kind === 'hand') pen.take();
   };
-  const button = (kind: Kind, picture: CurveChoice) => (
-    <button key={kind} type="button" aria-pressed={kind === shown} onClick={() => choose(kind)}>
-      <CurvePicture choice={picture} />
-      {words.kinds[kind]}
+  const button = (kind: Kind, name: ComponentChildren) => (
+    <button
+      key={kind}
+      type="button"
+      aria-pressed={kind === shown}
+      title={words.kinds[kind]}
+      onClick={() => choose(kind)}
+    >
+      <CurvePicture choice={pictures[kind]} />
+      {name}
     </button>
   );
   return (
@@ -46,11 +53,8 @@ export function DrawingControls({ actions, pen }: Props) {
       <h3 id="drawing-heading">{words.heading}</h3>
       <fieldset class="curve-kinds">
         <legend class="visually-hidden">{words.heading}</legend>
-        {shapes.map((kind) => button(kind, pictures[kind]))}
-        {button('letters', pictures.letters)}
-        {button('formula', pictures.formula)}
-        {button('hand', pictures.hand)}
-        {button('path', pictures.path)}
+        {shapes.map((kind) => button(kind, <span class="visually-hidden">{words.kinds[kind]}</span>))}
+        {(['letters', 'formula', 'hand', 'path'] as const).map((kind) => button(kind, words.kinds[kind]))}
       </fieldset>
       {drawn?.kind === 'letters' && <LettersEditor drawn={drawn} actions={actions} />}
       {drawn?.kind === 'formula' && <FormulaEditor drawn={drawn} actions={actions} />}
