@@ -146,7 +146,8 @@ export class KinematicsSession {
     const tick = (now: number) => {
       asked = requestAnimationFrame(tick);
       const last = (this.drawing.value?.strokes.length ?? 1) - 1;
-      const place = Math.min(last, from + Math.floor((now - begun) / target_ms));
+      const passed = Math.max(0, now - begun); // a picture's time may lie before the moment that asked for it
+      const place = Math.min(last, from + Math.floor(passed / target_ms));
       if (place === this.place.value) return;
       this.place.value = place;
       if (this.crew.queue === 0 && now > legibleSince + legible_ms) {
