@@ -1,6 +1,7 @@
 import { type ReadonlySignal, useComputed, useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
+import { reachOf } from '../../app/kinematics.ts';
 import type { KinematicsSession, Search } from '../../app/kinematics_session.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { notify } from '../../app/notices.ts';
@@ -16,9 +17,9 @@ import { offFloor, onFloor, rounded } from './arm_geometry.ts';
 import { ArmHandle } from './arm_handle.tsx';
 import { floorMove, spaceMove } from './arm_keys.ts';
 import { ArmLabels } from './arm_labels.tsx';
-import { momentOf } from './arm_moment.ts';
+import { type ArmMoment, momentOf } from './arm_moment.ts';
 import { darkArmPalette, lightArmPalette } from './arm_palette.ts';
-import { type ArmPicture, reachIn } from './arm_picture.ts';
+import type { ArmPicture } from './arm_picture.ts';
 import { ArmPointers } from './arm_pointers.ts';
 import { ArmTools } from './arm_tools.tsx';
 import { penText, targetText } from './arm_words.ts';
@@ -101,7 +102,7 @@ export function Arm({ session, actions, pen }: Props) {
           <>
             <ArmLabels arm={arm} joints={now.x.length / 3} pointed={now.pointedJoint} pictures={pictures} />
             <p class="arm-grid">
-              {fillTemplate(words.grid, { step: formatQuantity(gridStepOf(reachIn(now)), 'm', 1) })}
+              {fillTemplate(words.grid, { step: formatQuantity(gridStepOf(reachOf(now)), 'm', 1) })}
             </p>
             <ArmHandle
               arm={arm}
@@ -139,27 +140,36 @@ export function Arm({ session, actions, pen }: Props) {
 
 /** What is drawn now; null before the first search. */
 function usePicture(session: KinematicsSession, pen: FloorPen): ReadonlySignal<ArmPicture | null> {
-  const steppedIn = useRef<Search | null>(null);
+  const moment = useMoment(session);
   const stroke = useComputed(() => Float64Array.from(pen.stroke.value.flatMap((point) => onFloor(point))));
   return useComputed(() => {
     const { value: pose } = session.pose;
-    const { value: search } = session.search;
-    if (!pose || !search) return null;
-    const { value: event } = session.event;
-    if (event < countEvents(search.answer)) steppedIn.current = search;
+    if (!pose) return null;
     const { root, links, target } = state.value.kinematics;
     return {
       x: pose.x,
       root,
-      lengths: links.map(({ length }) => length),
+      links,
       target,
-      moment: steppedIn.current === search ? momentOf(search, event) : null,
+      moment: moment.value,
       curve: null,
       place: 0,
       stroke: stroke.value,
       pointedJoint: pointedJoint.value,
       palette: appliedTheme.value === 'dark' ? darkArmPalette : lightArmPalette,
     };
+  });
+}
+
+/** Null at the end of a search, unless its events were gone through. */
+function useMoment(session: KinematicsSession): ReadonlySignal<ArmMoment | null> {
+  const steppedIn = useRef<Search | null>(null);
+  return useComputed(() => {
+    const { value: search } = session.search;
+    const { value: event } = session.event;
+    if (!search) return null;
+    if (event < countEvents(search.answer)) steppedIn.current = search;
+    return steppedIn.current === search ? momentOf(search, event) : null;
   });
 }
 

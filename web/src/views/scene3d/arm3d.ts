@@ -1,6 +1,8 @@
 import type { Camera as ThreeCamera } from 'three';
+import { reachOf } from '../../app/kinematics.ts';
 import type { Camera } from '../../app/state.ts';
 import type { Rectangle } from '../../lib/rectangle.ts';
+import { radiusOf } from './arm_body.ts';
 import { ArmContent } from './arm_content.ts';
 import { fullFraming, homeFraming } from './arm_framing.ts';
 import type { ArmPicture } from './arm_picture.ts';
@@ -18,7 +20,6 @@ export class Arm3D {
   private readonly content: ArmContent;
   private readonly invalidate: () => void;
   private picture: ArmPicture | null = null;
-  private drawn: ArmPicture | null = null;
   private view: Rectangle = { x: 0, y: 0, width: 0, height: 0 };
   /** Whether the camera still has to be set for this chain, has been, or is the reader's. */
   private framing: 'due' | 'done' | 'reader' = 'due';
@@ -51,10 +52,8 @@ export class Arm3D {
     if (!picture || view.width === 0 || view.height === 0) return;
     this.inkCanvas.clear(picture.palette.background);
     if (this.framing === 'due') this.frame(homeFraming(picture));
-    this.content.refresh(picture, this.drawn);
-    this.drawn = picture;
-    this.content.lightFrom(this.orbitCamera.camera);
-    this.inkCanvas.draw(this.content.scene, this.orbitCamera, view, this.content.depthOf(picture));
+    this.content.refresh(picture);
+    this.inkCanvas.draw(this.content.scene, this.orbitCamera, view, radiusOf(reachOf(picture), picture.links.length));
   }
 
   /** Brings everything into view. */
@@ -82,19 +81,17 @@ export class Arm3D {
     return { picture, camera: this.orbitCamera.camera, view };
   }
 
-  /** CSS pixels of the canvas; null behind the camera, and before there is anything. */
-  placeOf(point: ArrayLike<number>): ScreenPoint | null {
+  /** #×2, CSS pixels of the canvas, of points (#×3, m); NaN behind the camera, and null before there is anything. */
+  placesOf(points: Float64Array): Float32Array | null {
     const eye = this.eye();
-    if (!eye) return null;
-    const [x, y] = projectPoints(Float64Array.from(point), worldToClip(eye.camera), eye.view);
-    return Number.isNaN(x) ? null : { x, y };
+    return eye && projectPoints(points, worldToClip(eye.camera), eye.view);
   }
 
-  /** Likewise, or the nearest place on the canvas: what stands for a thing must not lie over others. */
+  /** Of a point, or the nearest place on the canvas: what stands for a thing must not lie over others. Null behind the camera. */
   placeOnCanvas(point: ArrayLike<number>): ScreenPoint | null {
-    const place = this.placeOf(point);
+    const [x, y] = this.placesOf(Float64Array.from(point)) ?? [Number.NaN];
     const { width, height } = this.view;
-    return place && { x: Math.max(0, Math.min(width, place.x)), y: Math.max(0, Math.min(height, place.y)) };
+    return Number.isNaN(x) ? null : { x: Math.max(0, Math.min(width, x)), y: Math.max(0, Math.min(height, y)) };
   }
 
   dispose(): void {
@@ -110,5 +107,5 @@ export class Arm3D {
 }
 
 function isSameChain(a: ArmPicture, b: ArmPicture): boolean {
-  return a.lengths.join() === b.lengths.join() && a.root.join() === b.root.join();
+  return a.links === b.links && a.root === b.root;
 }

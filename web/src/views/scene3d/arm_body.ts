@@ -1,16 +1,7 @@
-import {
-  Color,
-  CylinderGeometry,
-  Group,
-  InstancedMesh,
-  Matrix4,
-  MeshLambertMaterial,
-  Quaternion,
-  SphereGeometry,
-  Vector3,
-} from 'three';
+import { type BufferGeometry, CylinderGeometry, Group, Matrix4, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { kinematicsLimits } from '../../app/kinematics.ts';
 import type { ArmPalette } from './arm_palette.ts';
+import { Solids } from './solids.ts';
 
 const mostJoints = kinematicsLimits.links.max + 1;
 /** Radius of the first link, as shares of the arm's reach and of its mean link, whichever is less; of the last, as a share of the first's. */
@@ -26,31 +17,23 @@ const up = new Vector3(0, 1, 0);
 /** The solid arm: a tapering link from each joint to the next, joints as balls, and what holds the root. Allocates its shapes once. */
 export class ArmBody {
   readonly group = new Group();
-  private readonly links: InstancedMesh<CylinderGeometry, MeshLambertMaterial>;
-  private readonly joints: InstancedMesh<SphereGeometry, MeshLambertMaterial>;
-  private readonly mount: InstancedMesh<CylinderGeometry, MeshLambertMaterial>;
+  private readonly links = new Solids(rod(linkEnd), mostJoints - 1);
+  private readonly joints = new Solids(new SphereGeometry(1, 24, 16), mostJoints);
+  private readonly mount = new Solids(rod(1, false), 2);
   // What every picture is computed in.
   private readonly matrix = new Matrix4();
   private readonly from = new Vector3();
   private readonly to = new Vector3();
   private readonly turn = new Quaternion();
   private readonly size = new Vector3();
-  private readonly colour = new Color();
 
   constructor() {
-    this.links = new InstancedMesh(rod(linkEnd), new MeshLambertMaterial(), mostJoints - 1);
-    this.joints = new InstancedMesh(new SphereGeometry(1, 24, 16), new MeshLambertMaterial(), mostJoints);
-    this.mount = new InstancedMesh(rod(1, false), new MeshLambertMaterial(), 2);
-    for (const mesh of [this.links, this.joints, this.mount]) {
-      mesh.frustumCulled = false;
-      this.group.add(mesh);
-    }
+    this.group.add(this.links, this.joints, this.mount);
   }
 
-  /** `x` #joints×3, m; `root` where the arm is mounted, m; `turned`: a joint to mark, or null. */
-  show(x: Float64Array, root: ArrayLike<number>, reach: number, turned: number | null, palette: ArmPalette): void {
+  /** `x` #joints×3, m; `root` where the arm is mounted, m; `radius` of its first link, m; `turned`: a joint to mark, or null. */
+  show(x: Float64Array, root: ArrayLike<number>, radius: number, turned: number | null, palette: ArmPalette): void {
     const count = x.length / 3;
-    const radius = radiusOf(reach, count - 1);
     this.links.count = count - 1;
     this.joints.count = count;
     for (let i = 0; i < count; i++) {
@@ -60,21 +43,18 @@ export class ArmBody {
       if (!last) this.place(this.links, i, this.from, this.to.fromArray(x, 3 * i + 3), here);
       this.matrix.makeScale(jointSize * here, jointSize * here, jointSize * here).setPosition(this.from);
       this.joints.setMatrixAt(i, this.matrix);
-      const colour = i === turned ? palette.turned : last ? palette.effector : palette.joint;
-      this.joints.setColorAt(i, this.colour.set(colour));
+      this.joints.paint(i, i === turned ? palette.turned : last ? palette.effector : palette.joint);
+      if (!last) this.links.paint(i, palette.link);
     }
-    this.links.material.color.set(palette.link);
     this.showMount(root, radius, palette);
-    for (const mesh of [this.links, this.joints, this.mount]) mesh.instanceMatrix.needsUpdate = true;
-    if (this.joints.instanceColor) this.joints.instanceColor.needsUpdate = true;
+    for (const solids of [this.links, this.joints, this.mount]) {
+      solids.setBackground(palette.background);
+      solids.refresh();
+    }
   }
 
   dispose(): void {
-    for (const mesh of [this.links, this.joints, this.mount]) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-      mesh.dispose();
-    }
+    for (const solids of [this.links, this.joints, this.mount]) solids.dispose();
   }
 
   /** From the ceiling where the root is above the floor, else from what lies below it. */
@@ -85,14 +65,14 @@ export class ArmBody {
     this.place(this.mount, 0, this.from, this.to, mount.rod * radius);
     this.from.copy(this.to).addScaledVector(up, side * mount.plateThickness * radius);
     this.place(this.mount, 1, this.to, this.from, mount.plate * radius);
-    this.mount.material.color.set(colour);
+    for (const part of [0, 1]) this.mount.paint(part, colour);
   }
 
-  private place(mesh: InstancedMesh, index: number, from: Vector3, to: Vector3, radius: number): void {
+  private place(solids: Solids, index: number, from: Vector3, to: Vector3, radius: number): void {
     this.size.subVectors(to, from);
     const length = this.size.length();
     this.turn.setFromUnitVectors(up, length > 0 ? this.size.divideScalar(length) : up);
-    mesh.setMatrixAt(index, this.matrix.compose(from, this.turn, this.size.set(radius, length, radius)));
+    solids.setMatrixAt(index, this.matrix.compose(from, this.turn, this.size.set(radius, length, radius)));
   }
 }
 
@@ -102,6 +82,6 @@ export function radiusOf(reach: number, links: number): number {
 }
 
 /** One unit high from the origin up, of radius 1 at its foot; open where balls close it. */
-function rod(top: number, open = true): CylinderGeometry {
+function rod(top: number, open = true): BufferGeometry {
   return new CylinderGeometry(top, 1, 1, 24, 1, open).translate(0, 0.5, 0);
 }

@@ -1,104 +1,107 @@
-import { CircleGeometry, Color, CustomBlending, DoubleSide, Mesh, ShaderMaterial, Vector2 } from 'three';
+import { Color, Group } from 'three';
 import { steps125 } from '../../lib/steps_125.ts';
 import type { ArmPalette } from './arm_palette.ts';
-import { setInkColour } from './ink.ts';
+import { type Ink, setInkColour } from './ink.ts';
+import { joining } from './segment_ends.ts';
+import { Segments } from './segments.ts';
+import { Table } from './table.ts';
 
 /** m. */
 const gridSteps = steps125(1e-3, 100);
 const linesPerReach = 5;
-/** How much of what lies below the floor is veiled. */
-const veil = 0.45;
+/** Of the reach: how far the grid goes, and the share of that from which on it fades. */
+const extent = 1.2;
+const fadeFrom = 0.3;
+/** More pieces of lines than there ever are: the grid's lines are cut at one another. */
+const mostPieces = 1024;
 
 /** m: between two lines of the grid. */
 export function gridStepOf(reach: number): number {
   return gridSteps.findLast((step) => step <= reach / linesPerReach) ?? gridSteps[0];
 }
 
-/** The plane that is drawn on: a grid that fades out, and a veil over what lies below it. */
+/** m. */
+export function floorRadius(reach: number): number {
+  return extent * reach;
+}
+
+/** #pieces×2×3, m: both ends of every piece of the grid's lines within a circle about (x, z); the axes of x and z come last, and how many of them there are. */
+export function gridPieces(x: number, z: number, reach: number): { ends: number[]; axes: number } {
+  const step = gridStepOf(reach);
+  const radius = floorRadius(reach);
+  const [usual, onAxis]: [number[], number[]] = [[], []];
+  for (let i = Math.ceil((x - radius) / step); i * step <= x + radius; i++) {
+    for (let j = Math.ceil((z - radius) / step); j * step <= z + radius; j++) {
+      if (Math.hypot(i * step - x, j * step - z) > radius) continue;
+      (j === 0 ? onAxis : usual).push(i * step, 0, j * step, (i + 1) * step, 0, j * step);
+      (i === 0 ? onAxis : usual).push(i * step, 0, j * step, i * step, 0, (j + 1) * step);
+    }
+  }
+  return { ends: [...usual, ...onAxis], axes: onAxis.length / 6 };
+}
+
+/** The plane that is drawn on, as a grid that fades out. */
 export class ArmFloor {
-  readonly mesh: Mesh<CircleGeometry, ShaderMaterial>;
+  readonly group = new Group();
+  private readonly points = new Table(3);
+  private readonly pairs = new Table(2);
   private readonly uniforms = {
-    centre: { value: new Vector2() },
+    centreX: { value: 0 },
+    centreZ: { value: 0 },
     radius: { value: 1 },
-    gridStep: { value: 1 },
     line: { value: new Color() },
     axis: { value: new Color() },
-    background: { value: new Color() },
+    firstAxis: { value: 0 },
   };
+  private readonly lines: Segments;
 
-  constructor() {
-    const material = new ShaderMaterial({
-      uniforms: this.uniforms,
-      vertexShader,
-      fragmentShader,
-      side: DoubleSide,
-      blending: CustomBlending, // and not `transparent`: it is drawn after what is solid and before what lies over everything
-      depthWrite: false,
-      polygonOffset: true, // what is drawn on the floor lies on it
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 4,
-    });
-    this.mesh = new Mesh(new CircleGeometry(1, 64).rotateX(-Math.PI / 2), material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 0.5;
+  constructor(ink: Ink) {
+    const fading = { uniforms: { ...this.uniforms, floorPoints: this.points.uniform }, code: fadingCode };
+    this.lines = new Segments(ink, 'ghost', mostPieces, joining(this.pairs, this.points, this.points), fading);
+    this.lines.mesh.renderOrder -= 1; // before all that stands on it
+    this.lines.setStyle({ width: 1 });
+    this.group.add(this.lines.mesh);
   }
 
   /** Under the root; m. */
   place(x: number, z: number, reach: number): void {
-    this.uniforms.centre.value.set(x, z);
+    const { ends, axes } = gridPieces(x, z, reach);
+    const count = ends.length / 6;
+    this.points.set(ends);
+    this.pairs.set(Array.from({ length: 2 * count }, (_, at) => at));
+    this.lines.show(0, count);
+    this.uniforms.centreX.value = x;
+    this.uniforms.centreZ.value = z;
     this.uniforms.radius.value = floorRadius(reach);
-    this.uniforms.gridStep.value = gridStepOf(reach);
+    this.uniforms.firstAxis.value = count - axes;
   }
 
-  setColours({ grid, axis, background }: ArmPalette): void {
+  setStyle({ grid, axis }: ArmPalette): void {
     setInkColour(this.uniforms.line.value, grid);
     setInkColour(this.uniforms.axis.value, axis);
-    setInkColour(this.uniforms.background.value, background);
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.lines.dispose();
+    this.points.dispose();
+    this.pairs.dispose();
   }
 }
 
-/** m. */
-export function floorRadius(reach: number): number {
-  return 1.2 * reach;
-}
-
-const vertexShader = /* glsl */ `
-  uniform vec2 centre;
+/** Every piece has one colour, that of its middle. */
+const fadingCode = /* glsl */ `
+  uniform sampler2D floorPoints;
+  uniform float centreX;
+  uniform float centreZ;
   uniform float radius;
-  varying vec2 place;
-  varying vec2 fromCentre;
-
-  void main() {
-    fromCentre = position.xz;
-    place = centre + radius * fromCentre;
-    gl_Position = projectionMatrix * (viewMatrix * vec4(place.x, 0.0, place.y, 1.0));
-  }
-`;
-
-/** Lines one pixel wide, dropped where they would crowd. */
-const fragmentShader = /* glsl */ `
-  uniform float gridStep;
   uniform vec3 line;
   uniform vec3 axis;
+  uniform int firstAxis;
   uniform vec3 background;
-  varying vec2 place;
-  varying vec2 fromCentre;
 
-  void main() {
-    vec2 cell = place / gridStep;
-    vec2 pixel = fwidth(cell);
-    vec2 lines = 1.0 - clamp(abs(fract(cell - 0.5) - 0.5) / pixel, 0.0, 1.0);
-    vec2 axes = 1.0 - clamp(abs(cell) / pixel - 0.25, 0.0, 1.0);
-    lines *= 1.0 - smoothstep(0.2, 0.5, pixel);
-    float onAxis = max(axes.x, axes.y);
-    float onLine = max(max(lines.x, lines.y), onAxis);
-    vec3 colour = mix(background, mix(line, axis, onAxis), onLine);
-    float fade = 1.0 - smoothstep(0.35, 1.0, length(fromCentre));
-    gl_FragColor = vec4(colour, fade * max(${veil}, onLine));
+  vec3 colourOf(int segment) {
+    vec3 middle = 0.5 * (row(floorPoints, 2 * segment) + row(floorPoints, 2 * segment + 1)).xyz;
+    float away = distance(middle.xz, vec2(centreX, centreZ)) / radius;
+    return mix(segment < firstAxis ? line : axis, background, smoothstep(${fadeFrom.toFixed(2)}, 1.0, away));
   }
 `;

@@ -1,5 +1,6 @@
+import { reachOf } from '../../app/kinematics.ts';
 import { reachOnFloor } from './arm_geometry.ts';
-import { type ArmPicture, reachIn } from './arm_picture.ts';
+import type { ArmPicture } from './arm_picture.ts';
 import type { Framing } from './framing.ts';
 
 /** Radians from +y down, and about y from the front: floor and arm can both be read. */
@@ -13,7 +14,7 @@ const farAway = 1.3;
 /** The arm, the floor that it mostly works on, and a target that is not far off. */
 export function homeFraming(picture: ArmPicture): Framing {
   const { root, target } = picture;
-  const far = Math.hypot(...target.map((value, axis) => value - root[axis])) > farAway * reachIn(picture);
+  const far = Math.hypot(...target.map((value, axis) => value - root[axis])) > farAway * reachOf(picture);
   return framing(picture, far ? [] : target);
 }
 
@@ -23,9 +24,9 @@ export function fullFraming(picture: ArmPicture): Framing {
 }
 
 function framing(picture: ArmPicture, more: Iterable<number>): Framing {
-  const { x, root, lengths } = picture;
-  const reach = reachIn(picture);
-  const radius = shownFloor * (reachOnFloor(lengths, root[1]).outer ?? reach);
+  const { x, root, links } = picture;
+  const reach = reachOf(picture);
+  const radius = shownFloor * (reachOnFloor(links, root[1]).outer ?? reach);
   const corners = [0, 1, 2, 3].flatMap((quarter) => {
     const angle = (Math.PI / 2) * quarter;
     return [root[0] + radius * Math.cos(angle), 0, root[2] + radius * Math.sin(angle)];

@@ -1,4 +1,4 @@
-import { kinematicsLimits, type Point3 } from '../../app/kinematics.ts';
+import { kinematicsLimits, type Link, type Point3, reachOf } from '../../app/kinematics.ts';
 import type { Point2 } from '../../curves/curve.ts';
 
 /** The plane y = 0, which is drawn on: the curve's x to the right, its y away from the reader. */
@@ -12,12 +12,9 @@ export function offFloor([x, , z]: Point3): Point2 {
 }
 
 /** m: radii of the circles in which the floor cuts the sphere of what the arm can reach, and that of what is too near for it; null where they do not meet. */
-export function reachOnFloor(
-  lengths: readonly number[],
-  height: number,
-): { outer: number | null; inner: number | null } {
-  const reach = lengths.reduce((sum, length) => sum + length, 0);
-  const hole = 2 * Math.max(...lengths) - reach;
+export function reachOnFloor(links: readonly Link[], height: number): { outer: number | null; inner: number | null } {
+  const reach = reachOf({ links });
+  const hole = 2 * Math.max(...links.map(({ length }) => length)) - reach;
   const radius = (sphere: number) => (sphere > Math.abs(height) ? Math.sqrt(sphere ** 2 - height ** 2) : null);
   return { outer: radius(reach), inner: radius(hole) };
 }

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { reachOf } from '../../app/kinematics.ts';
 import { floorRadius } from './arm_floor.ts';
-import { reachIn } from './arm_picture.ts';
 import type { Arm3D } from './arm3d.ts';
 
 interface Props {
@@ -51,16 +51,17 @@ export function ArmLabels({ arm, joints, pointed, pictures }: Props) {
 function placeLabels(list: HTMLElement, arm: Arm3D): void {
   const picture = arm.eye()?.picture;
   if (!picture) return;
-  const along = axisEnd * floorRadius(reachIn(picture));
+  const along = axisEnd * floorRadius(reachOf(picture));
   const { x, root } = picture;
-  const points = [...x, root[0] + along, 0, 0, 0, 0, root[2] + along];
-  let last = { x: Number.NEGATIVE_INFINITY, y: 0 };
+  const places = arm.placesOf(Float64Array.of(...x, root[0] + along, 0, 0, 0, 0, root[2] + along));
+  if (!places) return;
+  let [lastX, lastY] = [Number.NEGATIVE_INFINITY, 0];
   [...list.children].forEach((label, at) => {
-    const place = arm.placeOf(points.slice(3 * at, 3 * at + 3));
-    const shown = place && Math.hypot(place.x - last.x, place.y - last.y) > crowded;
+    const [left, top] = places.subarray(2 * at, 2 * at + 2);
+    const shown = Math.hypot(left - lastX, top - lastY) > crowded; // and so not behind the camera
     (label as HTMLElement).hidden = !shown;
     if (!shown) return;
-    last = place;
-    (label as HTMLElement).style.translate = `${place.x}px ${place.y}px`;
+    [lastX, lastY] = [left, top];
+    (label as HTMLElement).style.translate = `${left}px ${top}px`;
   });
 }

@@ -1,16 +1,15 @@
-import type { Point3 } from '../../app/kinematics.ts';
+import type { Link, Point3 } from '../../app/kinematics.ts';
 import type { ArmCurve } from './arm_curve.ts';
 import type { ArmMoment } from './arm_moment.ts';
 import type { ArmPalette } from './arm_palette.ts';
 
-/** Everything that is drawn of an arm. Nobody changes its arrays. */
+/** Everything that is drawn of an arm. Nobody changes its parts: what is the same thing in the next picture has not changed. */
 export interface ArmPicture {
   /** #joints×3, m. */
   x: Float64Array;
   /** m. */
   root: Point3;
-  /** #links, m. */
-  lengths: readonly number[];
+  links: readonly Link[];
   /** m. */
   target: Point3;
   /** Null where only the pose matters. */
@@ -22,9 +21,4 @@ export interface ArmPicture {
   stroke: Float64Array;
   pointedJoint: number | null;
   palette: ArmPalette;
-}
-
-/** m: of the stretched arm. */
-export function reachIn({ lengths }: Pick<ArmPicture, 'lengths'>): number {
-  return lengths.reduce((sum, length) => sum + length, 0);
 }

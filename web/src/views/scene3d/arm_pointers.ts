@@ -1,8 +1,8 @@
 import { Plane, Vector3 } from 'three';
-import type { Point3 } from '../../app/kinematics.ts';
+import { type Point3, reachOf } from '../../app/kinematics.ts';
 import { Gestures } from '../../lib/gestures.ts';
 import { floorRadius } from './arm_floor.ts';
-import { type ArmPicture, reachIn } from './arm_picture.ts';
+import type { ArmPicture } from './arm_picture.ts';
 import type { Arm3D } from './arm3d.ts';
 import { nearestPoint } from './picking.ts';
 import { facingPlane, pointOnPlane, projectPoints, worldToClip } from './projection.ts';
@@ -29,7 +29,7 @@ const nothing = () => {};
 
 /** Whether a place of the plane lies where the floor is seen. */
 function isOnFloor({ x, z }: Vector3, picture: ArmPicture): boolean {
-  return Math.hypot(x - picture.root[0], z - picture.root[2]) < floorRadius(reachIn(picture));
+  return Math.hypot(x - picture.root[0], z - picture.root[2]) < floorRadius(reachOf(picture));
 }
 
 interface Held {

@@ -9,6 +9,7 @@ import {
   type Texture,
   TextureLoader,
 } from 'three';
+import { softLight } from './soft_light.ts';
 import { surfaceCorners, trianglesAround } from './surface_geometry.ts';
 import { readTable, Table } from './table.ts';
 import type { Scene3DModel } from './types.ts';
@@ -125,8 +126,8 @@ const vertexShader = /* glsl */ `
   }
 `;
 
-/** Light from the sky and the ground, and a soft one that goes with the eye, so that no side of the cloth is ever black. */
 const fragmentShader = /* glsl */ `
+  ${softLight}
   uniform sampler2D picture;
   uniform bool pictured;
   uniform vec3 colour;
@@ -135,17 +136,10 @@ const fragmentShader = /* glsl */ `
   varying vec2 place;
   varying float tint;
 
-  const vec3 sky = vec3(0.541);
-  const vec3 ground = vec3(0.299, 0.313, 0.341);
-  const vec3 lamp = vec3(0.605);
-
   void main() {
     vec3 normal = normalize(gl_FrontFacing ? viewNormal : -viewNormal);
-    vec3 up = viewMatrix[1].xyz;
-    vec3 toLamp = mat3(viewMatrix) * normalize(cameraPosition + vec3(0.0, 0.5 * length(cameraPosition), 0.0));
-    vec3 light = mix(ground, sky, 0.5 + 0.5 * dot(normal, up)) + lamp * max(0.0, dot(normal, toLamp));
     vec3 cloth = pictured ? texture2D(picture, place).rgb : colour;
-    gl_FragColor = vec4(light * mix(cloth, tintColour, 0.5 * tint), 1.0);
+    gl_FragColor = vec4(softLight(normal) * mix(cloth, tintColour, 0.5 * tint), 1.0);
     #include <colorspace_fragment>
   }
 `;
