@@ -12,6 +12,9 @@ import { Dots } from './dots.ts';
 import type { Ink } from './ink.ts';
 import { Lines } from './lines.ts';
 
+/** Every stroke has at least two points of the curve, and one more where it closes. */
+const mostTargets = 1.5 * kinematicsLimits.points.max;
+
 /** Everything that is allocated for a picture of an arm. */
 export class ArmContent {
   readonly scene = new Scene();
@@ -30,7 +33,7 @@ export class ArmContent {
     this.reach = new ArmReach(ink);
     this.moment = new ArmMomentMarks(ink);
     this.target = new ArmTargetMarks(ink);
-    this.curve = new ArmCurveMarks(ink, kinematicsLimits.points.max);
+    this.curve = new ArmCurveMarks(ink, mostTargets);
     this.stroke = new Lines(ink, 'arrow', kinematicsLimits.hand.points);
     this.pointed = new Dots(ink, 'highlight', 1, 'ring');
     for (const { group } of [this.floor, this.reach, this.body, this.curve, this.target, this.moment])

@@ -1,18 +1,36 @@
 import { Group } from 'three';
+import type { Drawing } from '../../app/kinematics_drawing.ts';
 import type { ArmPalette } from './arm_palette.ts';
 import { mixHex } from './colour.ts';
 import { Dots } from './dots.ts';
 import type { Ink } from './ink.ts';
 import { Lines } from './lines.ts';
 
-/** A curve that is drawn from target to target; nobody changes the arrays. */
+/** A curve on the floor, and what the arm has made of it. Nobody changes the arrays. */
 export interface ArmCurve {
-  /** #T×3, m. */
+  /** #S×3, m: targets at which the pen is down. */
   targets: Float64Array;
-  /** #T: the stroke that each belongs to. Between two strokes the pen is up. */
+  /** #S: the stroke that each belongs to. */
   stroke: Int32Array;
-  /** #T×3, m: where the end effector came to at each; null while that is unknown. */
-  effector: Float64Array | null;
+  /** #S×3, m: where the end effector came to at each. */
+  effector: Float64Array;
+  /** #T: how many of these have been gone to at each target, those in the air included. */
+  gone: Int32Array;
+}
+
+/** What of a drawing is on the floor. */
+export function armCurveOf({ targets, strokes, followed }: Drawing): ArmCurve {
+  const joints = followed.x.length / targets.length;
+  const rows = Array.from(strokes, (_, i) => i).filter((i) => strokes[i] >= 0);
+  let gone = 0;
+  return {
+    targets: Float64Array.from(rows.flatMap((i) => [...targets.subarray(3 * i, 3 * i + 3)])),
+    stroke: Int32Array.from(rows, (i) => strokes[i]),
+    effector: Float64Array.from(
+      rows.flatMap((i) => [...followed.x.subarray(3 * joints * (i + 1) - 3, 3 * joints * (i + 1))]),
+    ),
+    gone: strokes.map((stroke) => (stroke >= 0 ? ++gone : gone)),
+  };
 }
 
 /** CSS pixels. */
@@ -48,17 +66,17 @@ export class ArmCurveMarks {
     this.trail.setStyle({ width: style.trail, colour: effector });
   }
 
-  /** `place`: how many targets have been gone to. */
+  /** `place`: the target that the arm is at. */
   show(curve: ArmCurve | null, place: number): void {
     if (curve !== this.shown) this.take(curve);
     this.shown = curve;
     if (!curve) return;
-    const count = curve.targets.length / 3;
-    const segments = place > 0 ? this.segmentsAt[place - 1] : 0;
-    this.reached.marks.show(0, place);
-    this.targets.marks.show(place, count - place);
+    const count = curve.stroke.length;
+    const gone = curve.gone[Math.min(place, curve.gone.length - 1)];
+    const segments = gone > 0 ? this.segmentsAt[gone - 1] : 0;
+    this.reached.marks.show(0, gone);
+    this.targets.marks.show(gone, count - gone);
     this.trail.segments.show(0, segments);
-    this.trail.mesh.visible = curve.effector !== null && segments > 0;
   }
 
   dispose(): void {

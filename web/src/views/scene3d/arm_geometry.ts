@@ -1,12 +1,7 @@
 import { kinematicsLimits, type Link, type Point3, reachOf } from '../../app/kinematics.ts';
 import type { Point2 } from '../../curves/curve.ts';
 
-/** The plane y = 0, which is drawn on: the curve's x to the right, its y away from the reader. */
-export function onFloor([x, y]: Point2): Point3 {
-  return [x, 0, -y];
-}
-
-/** What of the floor, or of what lies above it, is where in the curve's plane. */
+/** Where in the curve's plane a place of the floor is, or what lies above it. */
 export function offFloor([x, , z]: Point3): Point2 {
   return [x, -z];
 }

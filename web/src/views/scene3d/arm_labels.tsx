@@ -1,13 +1,13 @@
-import { effect, type ReadonlySignal } from '@preact/signals';
+import { effect, type ReadonlySignal, useComputed } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { reachOf } from '../../app/kinematics.ts';
+import { pointedJoint } from '../../app/pointed_joint.ts';
+import { state } from '../../app/state.ts';
 import { floorRadius } from './arm_floor.ts';
 import type { Arm3D } from './arm3d.ts';
 
 interface Props {
   arm: Arm3D;
-  joints: number;
-  pointed: number | null;
   /** Changes with every picture. */
   pictures: ReadonlySignal<number>;
 }
@@ -18,7 +18,9 @@ const crowded = 15;
 const axisEnd = 0.36;
 
 /** The joints' numbers beside them, and the names of the floor's axes. */
-export function ArmLabels({ arm, joints, pointed, pictures }: Props) {
+export function ArmLabels({ arm, pictures }: Props) {
+  const joints = useComputed(() => state.value.kinematics.links.length + 1).value;
+  const { value: pointed } = pointedJoint;
   const list = useRef<HTMLDivElement>(null);
 
   // Without rendering it anew with every picture.
@@ -50,7 +52,7 @@ export function ArmLabels({ arm, joints, pointed, pictures }: Props) {
 
 function placeLabels(list: HTMLElement, arm: Arm3D): void {
   const picture = arm.eye()?.picture;
-  if (!picture) return;
+  if (!picture || picture.x.length + 6 !== 3 * list.children.length) return; // the arm of before, until the new one is found
   const along = axisEnd * floorRadius(reachOf(picture));
   const { x, root } = picture;
   const places = arm.placesOf(Float64Array.of(...x, root[0] + along, 0, 0, 0, 0, root[2] + along));

@@ -15,7 +15,7 @@ export interface ArmPicture {
   /** Null where only the pose matters. */
   moment: ArmMoment | null;
   curve: ArmCurve | null;
-  /** How many of the curve's targets have been gone to. */
+  /** The target of the drawing that the arm is at. */
   place: number;
   /** What the pen on the floor is drawing: #×3, m. */
   stroke: Float64Array;

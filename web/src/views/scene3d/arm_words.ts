@@ -1,18 +1,20 @@
 import type { Point3 } from '../../app/kinematics.ts';
-import type { Search } from '../../app/kinematics_session.ts';
 import type { Point2 } from '../../curves/curve.ts';
 import { fillTemplate } from '../../lib/fill_template.ts';
 import { formatFixed, formatQuantity } from '../../lib/format.ts';
+import type { IkAnswer } from '../../solver/inverse_kinematics.ts';
 import type { en } from './arm_en.ts';
 
 type Words = Pick<typeof en, 'target' | 'outcome' | 'pen' | 'penDown' | 'penUp'>;
 
+/** What became of a search. */
+export type Came = Pick<IkAnswer, 'outcome' | 'error'>;
+
 /** Where the target is, and what became of it. */
-export function targetText(words: Words, [x, y, z]: Point3, search: Search | null): string {
+export function targetText(words: Words, [x, y, z]: Point3, came: Came | null): string {
   const place = fillTemplate(words.target, { x: formatFixed(x, 3), y: formatFixed(y, 3), z: formatFixed(z, 3) });
-  if (!search) return place;
-  const { outcome, error } = search.answer;
-  return `${place} ${fillTemplate(words.outcome[outcome], { error: formatQuantity(1e3 * error, 'mm') })}`;
+  if (!came) return place;
+  return `${place} ${fillTemplate(words.outcome[came.outcome], { error: formatQuantity(1e3 * came.error, 'mm') })}`;
 }
 
 export function penText(words: Words, [x, y]: Point2, isDown: boolean): string {
