@@ -34,6 +34,7 @@ interface Props {
 export function Arm({ session, actions, pen }: Props) {
   const words = inLanguage({ en, zh });
   const canvas = useRef<HTMLCanvasElement>(null);
+  const toggle = useRef<HTMLButtonElement>(null);
   const shown = useSignal<Arm3D | null>(null);
   const pictures = useSignal(0);
   const aim = useMemo(() => new Aim(actions), [actions]);
@@ -91,11 +92,13 @@ export function Arm({ session, actions, pen }: Props) {
           <>
             <ArmLabels arm={arm} pictures={pictures} />
             <TargetHandle arm={arm} picture={picture} session={session} aim={aim} pictures={pictures} />
-            {pen.on.value && <PenHandle arm={arm} pen={pen} pictures={pictures} />}
+            {pen.on.value && (
+              <PenHandle arm={arm} pen={pen} pictures={pictures} onEnd={() => toggle.current?.focus()} />
+            )}
           </>
         )}
       </div>
-      <ArmTools pen={pen} onFit={() => arm?.fit()} />
+      <ArmTools pen={pen} toggle={toggle} onFit={() => arm?.fit()} />
     </div>
   );
 }

@@ -52,7 +52,7 @@ export class Arm3D {
     if (!picture || view.width === 0 || view.height === 0) return;
     this.inkCanvas.clear(picture.palette.background);
     if (this.framing === 'due') this.frame(homeFraming(picture));
-    this.content.refresh(picture);
+    this.content.refresh(picture, this.orbitCamera.pixelsPerMetre(view.height));
     this.inkCanvas.draw(this.content.scene, this.orbitCamera, view, radiusOf(reachOf(picture), picture.links.length));
   }
 

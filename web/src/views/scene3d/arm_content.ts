@@ -42,7 +42,7 @@ export class ArmContent {
   }
 
   /** Takes over what has changed since the picture before. */
-  refresh(picture: ArmPicture): void {
+  refresh(picture: ArmPicture, pixelsPerMetre: number): void {
     const { x, root, links, palette, moment, curve, place, pointedJoint } = picture;
     const before = this.drawn;
     const isNew = (...parts: (keyof ArmPicture)[]) => !before || parts.some((part) => picture[part] !== before[part]);
@@ -58,6 +58,7 @@ export class ArmContent {
     if (isNew('stroke')) this.stroke.set(picture.stroke);
     if (isNew('pointedJoint', 'x')) this.pointed.set(jointAt(x, pointedJoint));
     this.curve.show(curve, place);
+    this.curve.setStyle(palette, pixelsPerMetre);
     this.drawn = picture;
   }
 
@@ -67,7 +68,7 @@ export class ArmContent {
   }
 
   private setStyle(palette: ArmPalette): void {
-    for (const part of [this.floor, this.reach, this.moment, this.target, this.curve]) part.setStyle(palette);
+    for (const part of [this.floor, this.reach, this.moment, this.target]) part.setStyle(palette);
     this.stroke.setStyle({ width: 3, colour: palette.target });
     this.pointed.setStyle({ radius: 14, halo: 3, haloColour: palette.glow, colour: palette.pointed });
   }

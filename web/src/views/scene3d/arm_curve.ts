@@ -1,5 +1,6 @@
 import { Group } from 'three';
 import type { Drawing } from '../../app/kinematics_drawing.ts';
+import { distanceOf } from './arm_geometry.ts';
 import type { ArmPalette } from './arm_palette.ts';
 import { mixHex } from './colour.ts';
 import { Dots } from './dots.ts';
@@ -34,7 +35,9 @@ export function armCurveOf({ targets, strokes, followed }: Drawing): ArmCurve {
 }
 
 /** CSS pixels. */
-const style = { line: 1.25, dot: 2.25, trail: 4 };
+const style = { line: 1.5, trail: 4 };
+/** Radius of a target's dot: a share of how far it is to the next, as long as that is enough to tell them apart. */
+const dot = { share: 0.2, least: 1, most: 3 };
 /** How much of its colour what is not drawn yet has. */
 const ahead = 0.45;
 
@@ -48,6 +51,8 @@ export class ArmCurveMarks {
   private shown: ArmCurve | null = null;
   /** #T: how many segments lie before and at each target. */
   private segmentsAt: Int32Array = new Int32Array();
+  /** m: the mean one between neighbours. */
+  private gap = 0;
 
   constructor(ink: Ink, capacity: number) {
     this.wanted = new Lines(ink, 'net', capacity);
@@ -57,12 +62,13 @@ export class ArmCurveMarks {
     this.group.add(this.wanted.mesh, this.trail.mesh, this.targets.mesh, this.reached.mesh);
   }
 
-  setStyle({ target, effector, background }: ArmPalette): void {
+  setStyle({ target, effector, background }: ArmPalette, pixelsPerMetre: number): void {
     const faint = mixHex(background, target, ahead);
-    const dot = { radius: style.dot, halo: 0, haloColour: background };
+    const radius = Math.min(dot.most, dot.share * this.gap * pixelsPerMetre);
+    const dots = { radius: radius < dot.least ? 0 : radius, halo: 0, haloColour: background };
     this.wanted.setStyle({ width: style.line, colour: faint });
-    this.targets.setStyle({ ...dot, colour: faint });
-    this.reached.setStyle({ ...dot, colour: target });
+    this.targets.setStyle({ ...dots, colour: faint });
+    this.reached.setStyle({ ...dots, colour: target });
     this.trail.setStyle({ width: style.trail, colour: effector });
   }
 
@@ -90,6 +96,7 @@ export class ArmCurveMarks {
     this.reached.set(curve?.targets ?? null);
     this.trail.set(curve?.effector ?? null, pairs);
     this.segmentsAt = curve ? segmentsAt(curve.stroke) : new Int32Array();
+    this.gap = curve ? meanLength(curve.targets, pairs) : 0;
   }
 }
 
@@ -107,4 +114,14 @@ export function segmentsAt(stroke: ArrayLike<number>): Int32Array {
     if (i > 0 && stroke[i] === stroke[i - 1]) segments++;
     return segments;
   });
+}
+
+/** m: of segments between points (#×3, m). */
+function meanLength(points: Float64Array, pairs: readonly number[]): number {
+  let sum = 0;
+  for (let at = 0; at < pairs.length; at += 2) {
+    const [a, b] = [3 * pairs[at], 3 * pairs[at + 1]];
+    sum += distanceOf(points.subarray(a, a + 3), points.subarray(b, b + 3));
+  }
+  return (2 * sum) / pairs.length;
 }

@@ -1,7 +1,7 @@
 /** The texts of the arm's picture. */
 export const en = {
   canvas: 'The arm, its target, and the floor that it draws on',
-  hint: 'Drag the target: it moves in the plane of the picture. Drag its shadow: it moves level with the floor. Drag elsewhere to look around.',
+  hint: 'Drag the target in the picture’s plane, its shadow level with the floor, anything else to look around.',
   penHint: 'Draw on the floor: every stroke joins the curve. Hold Shift to look around.',
   grid: 'Grid {{step}}',
   draw: 'Draw on the floor',

@@ -13,7 +13,7 @@ const linesPerReach = 5;
 const extent = 1.2;
 const fadeFrom = 0.3;
 /** More pieces of lines than there ever are: the grid's lines are cut at one another. */
-const mostPieces = 1024;
+export const mostPieces = 2048;
 
 /** m: between two lines of the grid. */
 export function gridStepOf(reach: number): number {

@@ -7,7 +7,7 @@ import type { Framing } from './framing.ts';
 const polar = 1.12;
 const azimuth = 0.45;
 /** Of the circle that the arm reaches on the floor. */
-const shownFloor = 0.6;
+const shownFloor = 0.45;
 /** Reaches from the root, from which on a target does not make everything else small. */
 const farAway = 1.3;
 

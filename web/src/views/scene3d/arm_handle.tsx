@@ -15,12 +15,14 @@ interface Props {
   pressed?: boolean;
   /** Changes with every picture. */
   pictures: ReadonlySignal<number>;
+  /** From the beginning. */
+  focused?: boolean;
   /** Whether the key meant something. */
   onKey: (event: KeyboardEvent) => boolean;
 }
 
 /** Something in the picture for the keyboard: focusable, and standing where it is drawn or at the picture's nearest edge. */
-export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures, onKey }: Props) {
+export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures, focused = false, onKey }: Props) {
   const handle = useRef<HTMLButtonElement>(null);
   const description = useId();
 
@@ -34,6 +36,10 @@ export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures
       }),
     [arm, at, pictures],
   );
+  useLayoutEffect(() => {
+    if (focused) handle.current?.focus({ preventScroll: true });
+  }, [focused]);
+
   return (
     <>
       <button

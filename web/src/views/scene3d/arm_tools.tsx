@@ -1,3 +1,4 @@
+import type { Ref } from 'preact';
 import { inLanguage } from '../../app/messages/in_language.ts';
 import { t } from '../../app/messages/index.ts';
 import { Icon } from '../../lib/icon.tsx';
@@ -6,12 +7,18 @@ import { zh } from './arm_zh.ts';
 import { type FloorPen, strokesNow } from './floor_pen.ts';
 
 /** Takes the pen for the floor or puts it away, and clears what it has drawn. */
-export function FloorPenButtons({ pen }: { pen: FloorPen }) {
+export function FloorPenButtons({ pen, toggle }: { pen: FloorPen; toggle?: Ref<HTMLButtonElement> }) {
   const words = inLanguage({ en, zh });
   const on = pen.on.value;
   return (
     <>
-      <button type="button" class="floor-pen" aria-pressed={on} onClick={() => (on ? pen.putAway() : pen.take())}>
+      <button
+        ref={toggle}
+        type="button"
+        class="floor-pen"
+        aria-pressed={on}
+        onClick={({ detail }) => (on ? pen.putAway() : pen.take(detail === 0))}
+      >
         {words.draw}
       </button>
       {on && (
@@ -23,11 +30,18 @@ export function FloorPenButtons({ pen }: { pen: FloorPen }) {
   );
 }
 
-export function ArmTools({ pen, onFit }: { pen: FloorPen; onFit: () => void }) {
+interface Props {
+  pen: FloorPen;
+  /** Is given the button that takes the pen. */
+  toggle: Ref<HTMLButtonElement>;
+  onFit: () => void;
+}
+
+export function ArmTools({ pen, toggle, onFit }: Props) {
   const words = inLanguage({ en, zh });
   return (
     <div class="arm-tools">
-      <FloorPenButtons pen={pen} />
+      <FloorPenButtons pen={pen} toggle={toggle} />
       <button
         type="button"
         class="arm-fit"

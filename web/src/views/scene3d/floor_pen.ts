@@ -20,6 +20,8 @@ export class FloorPen {
   /** Where it is, m. */
   readonly place = signal<Point2>([0, 0]);
   readonly isDown = signal(false);
+  /** Whether keys have taken it, which will then draw. */
+  byKeys = false;
   private readonly actions: Pick<Actions, 'setKinematics'>;
   private readonly pose: ReadonlySignal<Pose | null>;
 
@@ -30,7 +32,8 @@ export class FloorPen {
   }
 
   /** What was drawn by hand before stays, and goes on; any other curve makes room. */
-  take(): void {
+  take(byKeys: boolean): void {
+    this.byKeys = byKeys;
     this.on.value = true;
     if (strokesNow().length === 0) this.clear();
   }

@@ -15,10 +15,12 @@ interface Props {
   pen: FloorPen;
   /** Changes with every picture. */
   pictures: ReadonlySignal<number>;
+  /** Its keys have put the pen away. */
+  onEnd: () => void;
 }
 
 /** The pen for the keyboard, and in words. */
-export function PenHandle({ arm, pen, pictures }: Props) {
+export function PenHandle({ arm, pen, pictures, onEnd }: Props) {
   const words = inLanguage({ en, zh });
   const text = penText(words, pen.place.value, pen.isDown.value);
   const onKey = ({ key, shiftKey }: KeyboardEvent) => {
@@ -27,8 +29,10 @@ export function PenHandle({ arm, pen, pictures }: Props) {
     if (step) pen.move([x + step[0], y + step[1]]);
     else if (key === ' ' && pen.isDown.peek()) pen.lift();
     else if (key === ' ') pen.draw([x, y]);
-    else if (key === 'Enter') pen.putAway();
-    else return false;
+    else if (key === 'Enter') {
+      pen.putAway();
+      onEnd();
+    } else return false;
     return true;
   };
   return (
@@ -41,6 +45,7 @@ export function PenHandle({ arm, pen, pictures }: Props) {
         keys={words.penKeys}
         pressed={pen.isDown.value}
         pictures={pictures}
+        focused={pen.byKeys}
         onKey={onKey}
       />
       <QuietLine text={text} />
