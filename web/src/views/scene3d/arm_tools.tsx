@@ -7,7 +7,7 @@ import { zh } from './arm_zh.ts';
 import { type FloorPen, strokesNow } from './floor_pen.ts';
 
 /** Takes the pen for the floor or puts it away, and clears what it has drawn. */
-export function FloorPenButtons({ pen, toggle }: { pen: FloorPen; toggle?: Ref<HTMLButtonElement> }) {
+export function FloorPenButtons({ pen, toggle = null }: { pen: FloorPen; toggle?: Ref<HTMLButtonElement> }) {
   const words = inLanguage({ en, zh });
   const on = pen.on.value;
   return (
