@@ -7,6 +7,7 @@ import { FloorPen } from '../../views/scene3d/floor_pen.ts';
 import { DrawingControls } from './drawing/drawing_controls.tsx';
 import { en } from './en.ts';
 import { Equations } from './equations/equations.tsx';
+import { Result } from './equations/result.tsx';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
 import { EvenSampling } from './sampling/even_sampling.tsx';
@@ -45,6 +46,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
           <DrawingControls actions={actions} pen={pen} />
           <Trace session={session} />
+          <Result session={session} />
           {drawing && <DrawingErrors session={session} drawing={drawing} />}
         </div>
         <div class="kinematics-equations">

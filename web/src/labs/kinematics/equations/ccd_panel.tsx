@@ -14,7 +14,7 @@ import { jointHooks } from './joint_hooks.ts';
 import { jointName } from './joint_name.ts';
 import type { MethodPanelProps } from './method_panel.tsx';
 import { Panel } from './panel.tsx';
-import { metres } from './scales.ts';
+import { finely } from './scales.ts';
 import { zh } from './zh.ts';
 
 const { raw } = String;
@@ -55,7 +55,7 @@ function Turn({ search, moment, numbers }: { search: Search; moment: Moment; num
       </p>
       <VectorTable
         caption={fillTemplate(words.ccd.table, { joint })}
-        scale={metres}
+        scale={finely}
         lengthHeading={words.forward.length}
         rows={[
           { tex: raw`\symtoEffector_{${joint}}`, vector: toEffector, withLength: true },

@@ -5,7 +5,6 @@ import { momentAt } from '../trace/moment.ts';
 import { en } from './en.ts';
 import { ForwardPanel } from './forward_panel.tsx';
 import { MethodPanel } from './method_panel.tsx';
-import { Result } from './result.tsx';
 import { zh } from './zh.ts';
 import './equations.css';
 
@@ -16,9 +15,8 @@ export function Equations({ session }: { session: KinematicsSession }) {
   const moment = momentAt(search, session.event.value);
   return (
     <section class="arm-equations" aria-label={words.heading}>
-      <ForwardPanel search={search} pose={session.pose.value as Pose} />
       <MethodPanel search={search} moment={moment} />
-      <Result search={search} moment={moment} />
+      <ForwardPanel search={search} pose={session.pose.value as Pose} />
     </section>
   );
 }

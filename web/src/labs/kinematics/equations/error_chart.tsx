@@ -1,11 +1,11 @@
 import type { Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
-import { formatLength } from '../../../lib/format.ts';
 import { norm, row, subtract } from '../../../lib/vector.ts';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
 import { type Moment, progressAt } from '../trace/moment.ts';
 import { en } from './en.ts';
+import { formatError } from './format_error.ts';
 import { zh } from './zh.ts';
 
 /** Iterations: so few still have whole numbers at their ticks. */
@@ -33,8 +33,8 @@ export function ErrorChart({ search, moment }: { search: Search; moment: Moment 
       y={{ label: words.errorInMetres, logarithmic: true }}
       cursor={progressAt(search, moment)}
       summary={fillTemplate(words.summary, {
-        before: formatLength(start),
-        after: formatLength(answer.error),
+        before: formatError(start),
+        after: formatError(answer.error),
         iterations: answer.iterations,
       })}
     />

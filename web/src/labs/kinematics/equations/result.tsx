@@ -1,17 +1,19 @@
-import type { Search } from '../../../app/kinematics_session.ts';
+import type { KinematicsSession, Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
-import { formatLength } from '../../../lib/format.ts';
 import { SymbolButton } from '../../../views/equations/symbol_button.tsx';
-import type { Moment } from '../trace/moment.ts';
+import { momentAt } from '../trace/moment.ts';
 import { en } from './en.ts';
 import { ErrorChart } from './error_chart.tsx';
+import { formatError } from './format_error.ts';
 import { outcomeText } from './outcome_text.ts';
 import { zh } from './zh.ts';
+import './result.css';
 
 /** What came of the search, and how the error went down. */
-export function Result({ search, moment }: { search: Search; moment: Moment }) {
+export function Result({ session }: { session: KinematicsSession }) {
   const words = inLanguage({ en, zh }).result;
+  const search = session.search.value as Search; // the lab is shown once there is one
   const { task, answer } = search;
   const enough = answer.error <= task.epsilon;
   return (
@@ -22,12 +24,12 @@ export function Result({ search, moment }: { search: Search; moment: Moment }) {
       </p>
       <p class="equation-facts">
         <span>
-          {words.error} {formatLength(answer.error)} {enough ? '≤' : '>'} <SymbolButton id="epsilon" /> ={' '}
-          {formatLength(task.epsilon)}
+          {words.error} {formatError(answer.error)} {enough ? '≤' : '>'} <SymbolButton id="epsilon" /> ={' '}
+          {formatError(task.epsilon)}
         </span>
         <span>{fillTemplate(words.iterations, { made: answer.iterations, most: task.iterations })}</span>
       </p>
-      {answer.iterations > 0 && <ErrorChart search={search} moment={moment} />}
+      {answer.iterations > 0 && <ErrorChart search={search} moment={momentAt(search, session.event.value)} />}
     </section>
   );
 }

@@ -5,6 +5,7 @@ import { Choice } from '../../../lib/choice.tsx';
 import { ikMethods } from '../../../solver/inverse_kinematics.ts';
 import { en } from './en.ts';
 import { zh } from './zh.ts';
+import './settings.css';
 
 /** How the arm finds its pose. The same target is searched for again from where the arm was. */
 export function MethodChoice({ actions }: { actions: Actions }) {
