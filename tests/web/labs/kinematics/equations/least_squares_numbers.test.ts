@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { countEvents } from '../../../../../web/src/app/kinematics_session.ts';
+import { countEvents } from '../../../../../web/src/app/pose.ts';
 import { leastSquaresNumbers } from '../../../../../web/src/labs/kinematics/equations/least_squares_numbers.ts';
 import { solve3 } from '../../../../../web/src/labs/kinematics/equations/solve3.ts';
 import { momentAt } from '../../../../../web/src/labs/kinematics/trace/moment.ts';

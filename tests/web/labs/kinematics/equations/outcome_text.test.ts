@@ -1,7 +1,10 @@
 import { expect, test } from 'vitest';
-import { outcomeText } from '../../../../../web/src/labs/kinematics/equations/outcome_text.ts';
+import { outcomeText as textOf } from '../../../../../web/src/labs/kinematics/equations/outcome_text.ts';
 import { presets } from '../../../../../web/src/labs/kinematics/settings/presets.ts';
 import { armSearch } from '../../../../support/arm_search.ts';
+
+/** With plain spaces before units. */
+const outcomeText = (search: ReturnType<typeof armSearch>) => textOf(search).replaceAll('\u202f', ' ');
 
 test('a search says how it ended, and why', () => {
   expect(outcomeText(armSearch())).toBe('Converged: the end effector is within ε of the target.');

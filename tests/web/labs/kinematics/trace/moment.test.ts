@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { countEvents } from '../../../../../web/src/app/kinematics_session.ts';
+import { countEvents } from '../../../../../web/src/app/pose.ts';
 import { errorAt, iterationEnds, momentAt, progressAt } from '../../../../../web/src/labs/kinematics/trace/moment.ts';
 import { ikMethods } from '../../../../../web/src/solver/inverse_kinematics.ts';
 import { armSearch } from '../../../../support/arm_search.ts';

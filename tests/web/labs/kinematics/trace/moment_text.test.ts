@@ -1,9 +1,10 @@
-import { afterEach, expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { language } from '../../../../../web/src/app/messages/index.ts';
 import { momentAt } from '../../../../../web/src/labs/kinematics/trace/moment.ts';
 import { momentText } from '../../../../../web/src/labs/kinematics/trace/moment_text.ts';
 import { armSearch } from '../../../../support/arm_search.ts';
 
+vi.stubGlobal('document', { documentElement: {} });
 afterEach(() => {
   language.value = 'en';
 });

@@ -45,30 +45,32 @@ export function leastSquaresNumbers(search: Search, { before, after }: Moment): 
     moved: subtract(row(after.x, links), effector),
     turns,
     columns: rays.map((ray) => worldAxes.map((axis) => cross(axis, ray)) as [Vector, Vector, Vector]),
-    share: shareOf(missing, rays, turns, promised),
+    share: shareOf(missing, rays, turns),
   };
 }
 
-/** Beside a power of two, relatively: twos apart leave no doubt. */
-const doubt = 0.05;
+/** Exponents of two: λ² beyond is too small, or too large, to be told from none. */
+const exponents = Array.from({ length: 121 }, (_, at) => at - 60);
 
-/**
- * The damping is not in the trace, but the turns tell it: Δ = Jᵀy with (J Jᵀ + λ²I) y = e, so that y is the solution of J Jᵀ y = J Δ, and
- * λ² y = e − J Δ. The solver begins with λ² = ‖e‖², halves and multiplies by four.
- */
-function shareOf(missing: Vector, rays: readonly Vector[], turns: readonly Vector[], promised: Vector): number | null {
-  // J Jᵀ = Σ ‖s‖² I − s sᵀ
+/** The damping is not in the trace, but it is a power of two times ‖e‖², which begins with 1, is halved and raised by fours: the one that makes these turns. */
+function shareOf(missing: Vector, rays: readonly Vector[], turns: readonly Vector[]): number | null {
+  // (J Jᵀ + λ²I) y = e with J Jᵀ = Σ ‖s‖² I − s sᵀ, Δ_i = s_i × y
   const JJT = worldAxes.map((axis) =>
     rays.map((s) => subtract(scale(dot(s, s), axis), scale(dot(axis, s), s))).reduce(add),
   );
-  const y = solve3(JJT, promised);
-  if (!y || turns.some((turn, i) => !agree(turn, cross(rays[i], y)))) return null;
-  const share = dot(subtract(missing, promised), y) / dot(y, y) / dot(missing, missing);
-  const power = 2 ** Math.round(Math.log2(share));
-  return Math.abs(share / power - 1) < doubt ? power : null;
+  const misfits = exponents.map((exponent) => {
+    const damping = 2 ** exponent * dot(missing, missing);
+    const y = solve3(
+      JJT.map((line, at) => add(line, scale(damping, worldAxes[at]))),
+      missing,
+    );
+    return y ? norm(turns.map((turn, i) => norm(subtract(turn, cross(rays[i], y))))) : Number.POSITIVE_INFINITY;
+  });
+  const best = misfits.indexOf(Math.min(...misfits));
+  const others = Math.min(misfits[best - 1] ?? 0, misfits[best + 1] ?? 0);
+  const isPlain = misfits[best] <= singlePrecision * norm(turns.map(norm)) && 4 * misfits[best] < others;
+  return isPlain ? 2 ** exponents[best] : null;
 }
 
-/** To what single precision leaves of a turn. */
-function agree(a: Vector, b: Vector): boolean {
-  return norm(subtract(a, b)) <= 1e-3 * norm(a) + 1e-9;
-}
+/** Of a turn: what single precision may lose of it. */
+const singlePrecision = 1e-3;
