@@ -114,13 +114,29 @@ test('a joint that is pointed at in a table is lit, and shown at large', async (
   const rowOf = (joint: number) => table(page).locator('tbody tr').nth(joint);
   await rowOf(3).hover();
   await expect(rowOf(3)).toHaveAttribute('data-joint-lit', 'true');
+  await expect(page.locator('.arm-joint.pointed')).toHaveText('3'); // in the picture
   await expect(page.locator('.one-joint')).toContainText('joint 3');
   await page.mouse.move(0, 0);
   await expect(page.locator('.one-joint')).toContainText('joint 1');
   await rowOf(2).getByRole('button').focus();
+  await expect(rowOf(2)).toHaveAttribute('data-joint-lit', 'true');
   await page.keyboard.press('Enter');
-  await page.keyboard.press('Escape');
   await expect(page.locator('.one-joint')).toContainText('joint 2');
+});
+
+test('a symbol has its card, and is marked in all formulas', async ({ page }) => {
+  await open(page, arm());
+  await page.locator('.arm-equation .symbol-button[data-sym="R"]').first().focus();
+  const card = page.locator('.card[data-kind="symbol"]');
+  await expect(card).toContainText('rotation against the world');
+  await expect(card).toContainText('3 × 3');
+  await expect(page.locator('html')).toHaveAttribute('data-lit', 'R');
+});
+
+test('single precision: a small angle is wanted and none is turned, and the page says why', async ({ page }) => {
+  await open(page, arm({ precision: 'single', epsilon: 1e-9 }));
+  await expect(outcome(page)).toContainText('single precision rounds');
+  await expect(page.locator('.arm-equation').first()).toContainText('It turned by 0.0°');
 });
 
 for (const language of ['en', 'zh'] as const)

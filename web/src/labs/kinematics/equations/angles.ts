@@ -2,12 +2,14 @@ import { formatFixed, formatNumber } from '../../../lib/format.ts';
 
 const degrees = 180 / Math.PI;
 
-/** Degrees: below this an angle is what rounding left. */
-const rounding = 1e-9;
+/** Whether an angle, rad, is no more than what rounding left. */
+export function isNoAngle(radians: number): boolean {
+  return Math.abs(radians) < 1e-11;
+}
 
 /** Radians in degrees: one decimal, or two digits of less. */
 export function formatAngle(radians: number): string {
-  const shown = Math.abs(radians * degrees) < rounding ? 0 : radians * degrees;
+  const shown = isNoAngle(radians) ? 0 : radians * degrees;
   return `${shown === 0 || Math.abs(shown) >= 0.1 ? formatFixed(shown, 1) : formatNumber(shown, 2)}°`;
 }
 

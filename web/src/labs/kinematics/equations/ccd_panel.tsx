@@ -37,13 +37,13 @@ export function CcdPanel({ search, moment, words: happened, note }: MethodPanelP
   );
 }
 
-/** Rounding of single precision, which knows an angle to about this, rad. */
-const sameAngle = 1e-3;
+/** rad: a difference that only a limit makes. */
+const held = 1e-5;
 
 function Turn({ search, moment, numbers }: { search: Search; moment: Moment; numbers: CcdNumbers }) {
   const words = inLanguage({ en, zh });
   const { joint, toEffector, toTarget, theta, axis, turned } = numbers;
-  const held = Math.abs(theta - turned) > sameAngle * Math.max(theta, sameAngle);
+  const rounded = search.task.precision === 'single' && turned < theta / 2;
   return (
     <div {...jointHooks(joint)}>
       <p class="equation-facts">
@@ -62,9 +62,9 @@ function Turn({ search, moment, numbers }: { search: Search; moment: Moment; num
           { tex: raw`\symtoTarget_{${joint}}`, vector: toTarget, withLength: true },
         ]}
       />
-      {held && (
+      {(rounded || theta - turned > held) && (
         <p class="equation-note">
-          {fillTemplate(search.task.precision === 'single' ? words.ccd.rounded : words.ccd.held, {
+          {fillTemplate(rounded ? words.ccd.rounded : words.ccd.held, {
             angle: formatAngle(turned),
           })}
         </p>

@@ -1,6 +1,5 @@
 import type { KinematicsSession, Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
-import type { Pose } from '../../../app/pose.ts';
 import { momentAt } from '../trace/moment.ts';
 import { en } from './en.ts';
 import { ForwardPanel } from './forward_panel.tsx';
@@ -16,7 +15,7 @@ export function Equations({ session }: { session: KinematicsSession }) {
   return (
     <section class="arm-equations" aria-label={words.heading}>
       <MethodPanel search={search} moment={moment} />
-      <ForwardPanel search={search} pose={session.pose.value as Pose} />
+      <ForwardPanel search={search} pose={moment.after} />
     </section>
   );
 }

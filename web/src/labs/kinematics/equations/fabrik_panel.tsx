@@ -2,7 +2,7 @@ import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { columnScale, formatInColumn, formatLength } from '../../../lib/format.ts';
 import type { Moment } from '../trace/moment.ts';
-import { formatAngle } from './angles.ts';
+import { formatDegrees } from './angles.ts';
 import { en } from './en.ts';
 import { ErrorFact } from './error_fact.tsx';
 import { passRows, rootGap } from './fabrik_numbers.ts';
@@ -62,7 +62,7 @@ function Pass({ moment }: { moment: Moment }) {
         cells: [
           ...x.map((value) => formatInColumn(value, metres)),
           formatInColumn(moved, scale),
-          ...(forward ? [turned === null ? words.none : formatAngle(turned)] : []),
+          ...(forward ? [turned === null ? words.none : `${formatDegrees(turned)}°`] : []),
         ],
       }))}
     />

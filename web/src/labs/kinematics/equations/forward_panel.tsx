@@ -5,7 +5,7 @@ import { pointedJoint } from '../../../app/pointed_joint.ts';
 import type { Pose } from '../../../app/pose.ts';
 import { formatInColumn } from '../../../lib/format.ts';
 import { Formula } from '../../../views/equations/formula.tsx';
-import { formatAngle } from './angles.ts';
+import { formatDegrees } from './angles.ts';
 import { en } from './en.ts';
 import { kinematicsFormulas } from './formulas.ts';
 import { forwardNumbers } from './forward_numbers.ts';
@@ -41,7 +41,7 @@ export function ForwardPanel({ search, pose }: { search: Search; pose: Pose }) {
           cells: [
             ...x.map((value) => formatInColumn(value, metres)),
             length === null ? words.none : formatInColumn(length, metres),
-            joint === last ? words.none : formatAngle(angle),
+            joint === last ? words.none : `${formatDegrees(angle)}°`,
           ],
         }))}
         chosen={chosen}

@@ -3,7 +3,7 @@ import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatVector } from '../../../lib/format.ts';
 import { Formula } from '../../../views/equations/formula.tsx';
 import { type VectorRow, VectorTable } from '../../../views/equations/vector_table.tsx';
-import { formatAngle } from './angles.ts';
+import { formatAngle, isNoAngle } from './angles.ts';
 import { en } from './en.ts';
 import { forwardOf } from './formulas.ts';
 import type { JointNumbers } from './forward_numbers.ts';
@@ -42,7 +42,7 @@ export function OneJoint({ joint, joints }: { joint: number; joints: readonly Jo
       <p class="equation-facts">
         <Formula tex={raw`\symq_{${joint}}`} />
         <span>
-          {axis
+          {axis && !isNoAngle(angle)
             ? fillTemplate(words.forward.rotation, { angle: formatAngle(angle), axis: formatVector(axis, '').trim() })
             : words.forward.noRotation}
         </span>

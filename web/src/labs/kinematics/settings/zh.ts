@@ -15,7 +15,7 @@ export const zh: Catalogue<typeof en> = {
       lab: '实验用机械臂',
       two: '两根等长连杆',
       ten: '十根短连杆',
-      hole: '够不到根部的臂',
+      hole: '够不到根关节',
     },
     presetHints: {
       lab: '连杆长 0.8、0.4、0.2、1.2 m',
