@@ -7,6 +7,7 @@ import { FloorPen } from '../../views/scene3d/floor_pen.ts';
 import { DrawingControls } from './drawing/drawing_controls.tsx';
 import { en } from './en.ts';
 import { Equations } from './equations/equations.tsx';
+import { ErrorChart } from './equations/error_chart.tsx';
 import { Result } from './equations/result.tsx';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
@@ -43,10 +44,11 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
       <div class="kinematics-stage">
         <div class="kinematics-arm">
           <Arm session={session} actions={actions} pen={pen} />
+          <Result session={session} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
           <DrawingControls actions={actions} pen={pen} />
           <Trace session={session} />
-          <Result session={session} />
+          <ErrorChart session={session} />
           {drawing && <DrawingErrors session={session} drawing={drawing} />}
         </div>
         <div class="kinematics-equations">

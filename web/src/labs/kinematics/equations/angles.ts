@@ -1,4 +1,4 @@
-import { formatFixed, formatNumber } from '../../../lib/format.ts';
+import { formatFixed, formatQuantity } from '../../../lib/format.ts';
 
 const degrees = 180 / Math.PI;
 
@@ -10,7 +10,7 @@ export function isNoAngle(radians: number): boolean {
 /** Radians in degrees: one decimal, or two digits of less. */
 export function formatAngle(radians: number): string {
   const shown = isNoAngle(radians) ? 0 : radians * degrees;
-  return `${shown === 0 || Math.abs(shown) >= 0.1 ? formatFixed(shown, 1) : formatNumber(shown, 2)}°`;
+  return shown === 0 || Math.abs(shown) >= 0.1 ? `${formatFixed(shown, 1)}°` : formatQuantity(shown, '°', 2);
 }
 
 /** Radians in a column of degrees. */

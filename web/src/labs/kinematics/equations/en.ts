@@ -68,10 +68,13 @@ export const en = {
     heading: 'Result of the search',
     error: 'error',
     iterations: 'iterations: {{made}} of at most {{most}}',
-    curve: 'error',
-    tolerance: 'ε',
+  },
+  errors: {
+    heading: 'Iteration by iteration',
+    curve: 'distance',
+    tolerance: 'ε, near enough',
     iteration: 'iteration',
-    errorInMetres: 'distance to the target, m',
+    label: 'distance from end effector to target, mm',
     summary: 'The distance between end effector and target, from {{before}} to {{after}} in {{iterations}} iterations',
   },
 };

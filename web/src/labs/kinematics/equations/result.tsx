@@ -2,15 +2,13 @@ import type { KinematicsSession, Search } from '../../../app/kinematics_session.
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { SymbolButton } from '../../../views/equations/symbol_button.tsx';
-import { momentAt } from '../trace/moment.ts';
 import { en } from './en.ts';
-import { ErrorChart } from './error_chart.tsx';
 import { formatError } from './format_error.ts';
 import { outcomeText } from './outcome_text.ts';
 import { zh } from './zh.ts';
 import './result.css';
 
-/** What came of the search, and how the error went down. */
+/** What came of the search: in words, and by how much. */
 export function Result({ session }: { session: KinematicsSession }) {
   const words = inLanguage({ en, zh }).result;
   const search = session.search.value as Search; // the lab is shown once there is one
@@ -18,7 +16,6 @@ export function Result({ session }: { session: KinematicsSession }) {
   const enough = answer.error <= task.epsilon;
   return (
     <section class="arm-result" aria-label={words.heading} data-outcome={answer.outcome}>
-      <h3>{words.heading}</h3>
       <p class={answer.outcome === 'CONVERGED' ? 'arm-outcome' : 'arm-outcome arm-outcome-short'}>
         {outcomeText(search)}
       </p>
@@ -29,7 +26,6 @@ export function Result({ session }: { session: KinematicsSession }) {
         </span>
         <span>{fillTemplate(words.iterations, { made: answer.iterations, most: task.iterations })}</span>
       </p>
-      {answer.iterations > 0 && <ErrorChart search={search} moment={momentAt(search, session.event.value)} />}
     </section>
   );
 }

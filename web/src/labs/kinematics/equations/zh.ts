@@ -66,10 +66,13 @@ export const zh: Catalogue<typeof en> = {
     heading: '搜索结果',
     error: '误差',
     iterations: '迭代 {{made}} 次，上限 {{most}} 次',
-    curve: '误差',
-    tolerance: 'ε',
+  },
+  errors: {
+    heading: '逐次迭代的误差',
+    curve: '距离',
+    tolerance: '容差 ε',
     iteration: '迭代次数',
-    errorInMetres: '到目标点的距离/m',
+    label: '末端执行器到目标点的距离/mm',
     summary: '末端执行器到目标点的距离：经 {{iterations}} 次迭代，从 {{before}} 减小到 {{after}}',
   },
 };
