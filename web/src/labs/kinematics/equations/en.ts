@@ -30,9 +30,9 @@ export const en = {
       'It turned by {{angle}}: single precision takes the angle from its cosine, and that of a small angle rounds to 1.',
   },
   fabrik: {
-    backward: 'backward',
-    forward: 'forward',
-    rotations: 'rotations',
+    backward: 'backward pass',
+    forward: 'forward pass',
+    rotations: 'rotations from the positions',
     moved: 'moved, {{unit}}',
     turned: 'turned',
     rootGap: 'The root is {{length}} from where it belongs; the forward pass puts it back.',

@@ -15,7 +15,7 @@ export const kinematicsFormulas = {
     raw`\symx_i \leftarrow \symx_{i+1} + \lVert \symo_{i+1} \rVert\,\frac{\symx_i - \symx_{i+1}}{\lVert \symx_i - \symx_{i+1} \rVert}`,
   ],
   forwardPass: [
-    raw`\symx_0 \leftarrow \text{root}`,
+    raw`\symx_0 \leftarrow \symx_{\mathrm{root}}`,
     raw`\symx_{i+1} \leftarrow \symx_i + \lVert \symo_{i+1} \rVert\,\frac{\symx_{i+1} - \symx_i}{\lVert \symx_{i+1} - \symx_i \rVert}`,
   ],
   rotations: [raw`\symR_i\,\symo_{i+1} = \symx_{i+1} - \symx_i`],
@@ -30,6 +30,6 @@ export const kinematicsFormulas = {
 
 /** Forward kinematics of joint i, with numbers for its indices. */
 export function forwardOf(i: number): string {
-  if (i === 0) return raw`\symx_0 = \text{root}, \quad \symR_0 = \symq_0`;
+  if (i === 0) return raw`\symx_0 = \symx_{\mathrm{root}}, \quad \symR_0 = \symq_0`;
   return raw`\symx_{${i}} = \symx_{${i - 1}} + \symR_{${i - 1}}\,\symo_{${i}}, \quad \symR_{${i}} = \symR_{${i - 1}}\,\symq_{${i}}`;
 }

@@ -31,9 +31,9 @@ export const zh: Catalogue<typeof en> = {
     rounded: '实际转过 {{angle}}：单精度由余弦求角，而小角的余弦会舍入为 1。',
   },
   fabrik: {
-    backward: '后向',
-    forward: '前向',
-    rotations: '旋转',
+    backward: '后向过程',
+    forward: '前向过程',
+    rotations: '由位置求旋转',
     moved: '移动/{{unit}}',
     turned: '转角',
     rootGap: '根关节偏离原位 {{length}}；前向过程会把它放回去。',
