@@ -6,11 +6,6 @@ export const en = {
   previous: 'Before',
   next: 'Next',
   sources: 'Sources',
-  question: {
-    label: 'Question',
-    hint: 'A hint',
-    answer: 'The answer',
-  },
   rooms: { matrices: 'The matrix room: the same for the scene that is open in the lab' },
   timingFailed: 'Nothing could be timed. {{reason}}',
   slip: {

@@ -9,11 +9,6 @@ export const zh: Catalogue<typeof en> = {
   previous: '上一节',
   next: '下一节',
   sources: '参考资料',
-  question: {
-    label: '思考',
-    hint: '提示',
-    answer: '答案',
-  },
   rooms: { matrices: '矩阵室：对实验室中打开的场景看同样的内容' },
   timingFailed: '无法计时。{{reason}}',
   slip: {

@@ -84,4 +84,9 @@ export const equations = {
     },
     lesson: 'Lesson, section {{number}}: {{title}}',
   },
+  question: {
+    label: 'Question',
+    hint: 'A hint',
+    answer: 'The answer',
+  },
 };

@@ -84,4 +84,9 @@ export const equations: Catalogue<typeof en> = {
     },
     lesson: '课程第 {{number}} 节：{{title}}',
   },
+  question: {
+    label: '思考',
+    hint: '提示',
+    answer: '答案',
+  },
 };

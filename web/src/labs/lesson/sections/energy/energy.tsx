@@ -1,7 +1,7 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { Prose } from '../../../../views/equations/prose.tsx';
+import { Question } from '../../../../views/equations/question.tsx';
 import { InSlices } from '../../in_slices.tsx';
-import { Question } from '../../question.tsx';
 import { Sources } from '../../sources.tsx';
 import { ClosestVector } from './closest_vector.tsx';
 import { en } from './en.ts';

@@ -1,9 +1,9 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { Prose } from '../../../../views/equations/prose.tsx';
+import { Question } from '../../../../views/equations/question.tsx';
 import { useFigure } from '../../figures/use_figure.ts';
 import { useInspection } from '../../figures/use_inspection.ts';
 import { InSlices } from '../../in_slices.tsx';
-import { Question } from '../../question.tsx';
 import { RoomLink } from '../../room_link.tsx';
 import { Sources } from '../../sources.tsx';
 import { BothSides } from './both_sides.tsx';

@@ -1,10 +1,10 @@
 import { inLanguage } from '../../../../app/messages/in_language.ts';
 import { Prose } from '../../../../views/equations/prose.tsx';
+import { Question } from '../../../../views/equations/question.tsx';
 import type { FigureSettings } from '../../figures/figure_session.ts';
 import { useFigure } from '../../figures/use_figure.ts';
 import type { AtPoint } from '../../gradient_check.tsx';
 import { InSlices } from '../../in_slices.tsx';
-import { Question } from '../../question.tsx';
 import { RoomLink } from '../../room_link.tsx';
 import { Slip } from '../../slip.tsx';
 import { Sources } from '../../sources.tsx';

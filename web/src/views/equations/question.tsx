@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { Prose } from '../../views/equations/prose.tsx';
-import { lessonWords } from './lesson_words.ts';
+import { t } from '../../app/messages/index.ts';
+import { Prose } from './prose.tsx';
 
 interface Props {
   ask: string;
@@ -11,22 +11,21 @@ interface Props {
   children?: ComponentChildren;
 }
 
-/** A question of the course, to be thought about before it is answered. */
+/** A question of students, to be thought about before it is answered. */
 export function Question({ ask, hint, answer, children }: Props) {
   const [answered, setAnswered] = useState(false);
-  const words = lessonWords().question;
   return (
-    <aside class="question" aria-label={words.label}>
+    <aside class="question" aria-label={t('equations.question.label')}>
       <p class="question-label" aria-hidden="true">
-        {words.label}
+        {t('equations.question.label')}
       </p>
       <Prose text={ask} />
       <details>
-        <summary>{words.hint}</summary>
+        <summary>{t('equations.question.hint')}</summary>
         <Prose text={hint} />
       </details>
       <details onToggle={(event) => setAnswered(event.currentTarget.open)}>
-        <summary>{words.answer}</summary>
+        <summary>{t('equations.question.answer')}</summary>
         <Prose text={answer} />
         {answered && children}
       </details>
