@@ -1,5 +1,8 @@
 import { type Followed, followTargets } from './follow_targets.ts';
-import type { IkAnswer, IkTask } from './inverse_kinematics.ts';
+import { countIterations, type IterationCounts } from './ik_counts.ts';
+import { type Reach, reachByAll } from './ik_reach.ts';
+import { type Sweep, type SweepStart, sweep } from './ik_sweep.ts';
+import type { IkAnswer, IkMethod, IkTask } from './inverse_kinematics.ts';
 import type { SolverModule } from './module.ts';
 import type { Outcome } from './protocol.ts';
 
@@ -10,6 +13,10 @@ export interface KinematicsService {
   solve(task: IkTask): Promise<Outcome<IkAnswer>>;
   /** `targets` #T×3, m. */
   follow(task: IkTask, targets: Float64Array): Promise<Outcome<Followed>>;
+  /** What the lab's questions ask: ik_reach.ts, ik_counts.ts and ik_sweep.ts say what for. */
+  reachByAll(task: IkTask, beside: Float64Array): Promise<Outcome<Record<IkMethod, Reach>>>;
+  countIterations(task: IkTask, curves: readonly Float64Array[]): Promise<Outcome<IterationCounts[]>>;
+  sweep(task: IkTask, targets: Float64Array, start: SweepStart): Promise<Outcome<Sweep>>;
 }
 
 /** The service on a module; `createSolver` compiles it. */
@@ -27,6 +34,15 @@ export function kinematicsService(
     },
     async follow(task, targets) {
       return followTargets(solver, task, targets);
+    },
+    async reachByAll(task, beside) {
+      return reachByAll(solver, task, beside);
+    },
+    async countIterations(task, curves) {
+      return countIterations(solver, task, curves, () => performance.now());
+    },
+    async sweep(task, targets, start) {
+      return sweep(solver, task, targets, start);
     },
   };
 }

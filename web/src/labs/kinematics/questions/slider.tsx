@@ -1,0 +1,35 @@
+import { useId } from 'preact/hooks';
+import type { ComponentChildren } from 'preact';
+
+interface Props {
+  label: ComponentChildren;
+  value: number;
+  min: number;
+  max: number;
+  step: number;
+  /** The value with its unit, as it is read and heard. */
+  text: string;
+  onSet: (value: number) => void;
+}
+
+/** One number of an experiment. */
+export function Slider({ label, value, min, max, step, text, onSet }: Props) {
+  const id = useId();
+  return (
+    <div class="question-slider">
+      <label for={id}>{label}</label>
+      <input
+        id={id}
+        type="range"
+        min={min}
+        max={max}
+        step={step}
+        value={value}
+        style={{ '--filled': `${(100 * (value - min)) / (max - min)}%` }}
+        aria-valuetext={text}
+        onInput={(event) => onSet(event.currentTarget.valueAsNumber)}
+      />
+      <output for={id}>{text}</output>
+    </div>
+  );
+}

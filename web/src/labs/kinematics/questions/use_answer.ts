@@ -1,0 +1,43 @@
+import type { Remote } from 'comlink';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { notifyRefusal } from '../../../app/explanation.ts';
+import type { KinematicsService } from '../../../solver/kinematics_worker.ts';
+import type { Outcome } from '../../../solver/protocol.ts';
+import type { Experiments } from './use_experiments.ts';
+
+export interface Answered<Wish, Answer> {
+  /** What was asked for. */
+  wish: Wish;
+  answer: Answer;
+}
+
+/**
+ * The latest answer to what is wished for, null before the first. While one is being found, wishes replace each other: a slider makes many. The same
+ * wish is one and the same JSON; a null wish asks nothing.
+ */
+export function useAnswer<Wish, Answer>(
+  experiments: Experiments,
+  wish: Wish | null,
+  ask: (service: Remote<KinematicsService>, wish: Wish) => Promise<Outcome<Answer>>,
+): Answered<Wish, Answer> | null {
+  const [answered, setAnswered] = useState<Answered<Wish, Answer> | null>(null);
+  const latest = useRef({ wish, done: 'null', busy: false });
+  latest.current.wish = wish;
+
+  useEffect(() => {
+    const { current } = latest;
+    const pursue = async () => {
+      current.busy = true;
+      for (let next = current.wish; next && JSON.stringify(next) !== current.done; next = current.wish) {
+        current.done = JSON.stringify(next);
+        const wished = next;
+        const outcome = await experiments.ask<Outcome<Answer>>(async (service) => ask(service, wished));
+        if (outcome?.ok) setAnswered({ wish: wished, answer: outcome.value });
+        else if (outcome) notifyRefusal(outcome.status);
+      }
+      current.busy = false;
+    };
+    if (!current.busy) void pursue();
+  });
+  return answered;
+}
