@@ -7,13 +7,15 @@ interface Props {
   min: number;
   max: number;
   step: number;
-  /** The value with its unit, as it is read and heard. */
+  /** The value with its unit. */
   text: string;
+  /** How it is heard, where that is more. */
+  spoken?: string;
   onSet: (value: number) => void;
 }
 
 /** One number of an experiment. */
-export function Slider({ label, value, min, max, step, text, onSet }: Props) {
+export function Slider({ label, value, min, max, step, text, spoken = text, onSet }: Props) {
   const id = useId();
   return (
     <div class="question-slider">
@@ -26,7 +28,7 @@ export function Slider({ label, value, min, max, step, text, onSet }: Props) {
         step={step}
         value={value}
         style={{ '--filled': `${(100 * (value - min)) / (max - min)}%` }}
-        aria-valuetext={text}
+        aria-valuetext={spoken}
         onInput={(event) => onSet(event.currentTarget.valueAsNumber)}
       />
       <output for={id}>{text}</output>

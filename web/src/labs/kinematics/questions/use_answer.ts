@@ -18,7 +18,7 @@ export interface Answered<Wish, Answer> {
 export function useAnswer<Wish, Answer>(
   experiments: Experiments,
   wish: Wish | null,
-  ask: (service: Remote<KinematicsService>, wish: Wish) => Promise<Outcome<Answer>>,
+  ask: (wish: Wish) => (service: Remote<KinematicsService>) => Promise<Outcome<Answer>>,
 ): Answered<Wish, Answer> | null {
   const [answered, setAnswered] = useState<Answered<Wish, Answer> | null>(null);
   const latest = useRef({ wish, done: 'null', busy: false });
@@ -30,9 +30,8 @@ export function useAnswer<Wish, Answer>(
       current.busy = true;
       for (let next = current.wish; next && JSON.stringify(next) !== current.done; next = current.wish) {
         current.done = JSON.stringify(next);
-        const wished = next;
-        const outcome = await experiments.ask<Outcome<Answer>>(async (service) => ask(service, wished));
-        if (outcome?.ok) setAnswered({ wish: wished, answer: outcome.value });
+        const outcome = await experiments.ask<Outcome<Answer>>(ask(next));
+        if (outcome?.ok) setAnswered({ wish: next, answer: outcome.value });
         else if (outcome) notifyRefusal(outcome.status);
       }
       current.busy = false;
