@@ -12,6 +12,7 @@ import { Result } from './equations/result.tsx';
 import { DrawingErrors } from './motion/drawing_errors.tsx';
 import { DrawingTransport } from './motion/drawing_transport.tsx';
 import { EvenSampling } from './sampling/even_sampling.tsx';
+import { Questions } from './questions/questions.tsx';
 import { MethodChoice } from './settings/method_choice.tsx';
 import { Settings } from './settings/settings.tsx';
 import { Trace } from './trace/trace.tsx';
@@ -58,6 +59,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
       </div>
       <EvenSampling actions={actions} />
       <Settings actions={actions} />
+      <Questions />
     </main>
   );
 }

@@ -8,10 +8,7 @@ import { questionWords } from './question_words.ts';
 /** rad. */
 const range = [1e-5, 1e-2] as const;
 const samplesOfDecade = 60;
-const angles = Array.from(
-  { length: 3 * samplesOfDecade + 1 },
-  (_, at) => range[0] * 10 ** (at / samplesOfDecade),
-);
+const angles = Array.from({ length: 3 * samplesOfDecade + 1 }, (_, at) => range[0] * 10 ** (at / samplesOfDecade));
 const unknown = leastKnown(angleTurned);
 
 interface Props {

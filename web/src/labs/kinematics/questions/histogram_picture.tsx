@@ -30,7 +30,13 @@ export function HistogramPicture({ name, summary, bins, axis }: Props) {
       </figcaption>
       <div ref={host} style={{ height: `${height}px` }}>
         {width > 0 && (
-          <svg viewBox={`0 0 ${width} ${height}`} width={width} height={height} role="img" aria-label={`${name}: ${summary}`}>
+          <svg
+            viewBox={`0 0 ${width} ${height}`}
+            width={width}
+            height={height}
+            role="img"
+            aria-label={`${name}: ${summary}`}
+          >
             {[0, highest].map((count) => (
               <g key={count} class="line-chart-tick">
                 <line x1={margin.left} x2={width - margin.right} y1={y(count)} y2={y(count)} />
@@ -69,7 +75,14 @@ function Bar({ bin, x, width, y }: { bin: Bin; x: number; width: number; y: (cou
         const top = y(below);
         return (
           count > 0 && (
-            <rect key={outcome} class={`histogram-${outcome}`} x={x} y={top} width={width} height={y(below - count) - top} />
+            <rect
+              key={outcome}
+              class={`histogram-${outcome}`}
+              x={x}
+              y={top}
+              width={width}
+              height={y(below - count) - top}
+            />
           )
         );
       })}

@@ -5,6 +5,7 @@ import { histogram, median } from './histogram.ts';
 import { HistogramNumbers } from './histogram_numbers.tsx';
 import { HistogramPicture } from './histogram_picture.tsx';
 import { questionWords } from './question_words.ts';
+import './histograms.css';
 
 /** One histogram for every method and precision, all with the same axis of iterations. */
 export function Histograms({ counts }: { counts: readonly IterationCounts[] }) {

@@ -12,6 +12,9 @@ import { questionWords } from './question_words.ts';
 import { Slider } from './slider.tsx';
 import { type Experiments, useSeen } from './use_experiments.ts';
 import { type SweepName, sweepNames, useSweeps } from './use_sweeps.ts';
+import './jitter.css';
+
+const sides = ['first', 'second'] as const;
 
 /** Degrees. */
 const limits = steps125(0.1, 50);
@@ -62,7 +65,7 @@ export function Jitter({ experiments, settings }: { experiments: Experiments; se
         {([0, 1] as const).map((side) => (
           <section key={side} aria-label={words.names[chosen[side]]}>
             <label>
-              <span class="visually-hidden">{words.sides[side]}</span>
+              <span class="visually-hidden">{words.sides[sides[side]]}</span>
               <select
                 value={chosen[side]}
                 onChange={(event) => {
@@ -78,7 +81,8 @@ export function Jitter({ experiments, settings }: { experiments: Experiments; se
               </select>
             </label>
             {followed && box && (
-<OnionSkin sweep={followed.sweeps[chosen[side]]} targets={followed.targets} at={place} box={box} />)}
+              <OnionSkin sweep={followed.sweeps[chosen[side]]} targets={followed.targets} at={place} box={box} />
+            )}
           </section>
         ))}
       </div>

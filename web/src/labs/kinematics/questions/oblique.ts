@@ -17,7 +17,12 @@ export function obliquePoints(points: Float64Array): [x: number, y: number][] {
 
 /** What holds all of them, and a margin of 0.1 m. */
 export function boxAround(clouds: readonly Float64Array[]): Box {
-  let [left, right, top, bottom] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  let [left, right, top, bottom] = [
+    Number.POSITIVE_INFINITY,
+    Number.NEGATIVE_INFINITY,
+    Number.POSITIVE_INFINITY,
+    Number.NEGATIVE_INFINITY,
+  ];
   for (const cloud of clouds)
     for (const [x, y] of obliquePoints(cloud)) {
       [left, right] = [Math.min(left, x), Math.max(right, x)];

@@ -77,7 +77,6 @@ function Arm({ className, joints }: { className: string; joints: readonly [numbe
     <g class={className}>
       <polyline points={joints.map((joint) => joint.join(',')).join(' ')} />
       {joints.map(([x, y], joint) => (
-        // biome-ignore lint/suspicious/noArrayIndexKey: a joint is its index
         <circle key={joint} cx={x} cy={y} r={joint === 0 ? 5 : 3.5} />
       ))}
     </g>

@@ -13,6 +13,7 @@ import { angleBeside, type TargetPlace } from './target_place.ts';
 import { UnreachableTable } from './unreachable_table.tsx';
 import { type Experiments, useSeen } from './use_experiments.ts';
 import { useReach } from './use_reach.ts';
+import './unreachable.css';
 
 const hundredths = (value: number) => Math.round(100 * value) / 100;
 

@@ -1,7 +1,7 @@
 import type { Remote } from 'comlink';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { notifyRefusal } from '../../../app/explanation.ts';
-import type { KinematicsService } from '../../../solver/kinematics_worker.ts';
+import type { KinematicsService } from '../../../solver/kinematics_service.ts';
 import type { Outcome } from '../../../solver/protocol.ts';
 import type { Experiments } from './use_experiments.ts';
 

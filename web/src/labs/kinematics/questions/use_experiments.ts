@@ -1,7 +1,7 @@
 import type { RefObject } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { Crew } from '../../../app/crew.ts';
-import type { KinematicsService } from '../../../solver/kinematics_worker.ts';
+import type { KinematicsService } from '../../../solver/kinematics_service.ts';
 
 export type Experiments = Crew<KinematicsService>;
 
