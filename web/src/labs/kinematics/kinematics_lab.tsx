@@ -59,7 +59,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
       </div>
       <EvenSampling actions={actions} />
       <Settings actions={actions} />
-      <Questions />
+      <Questions drawn={drawing?.targets ?? null} />
     </main>
   );
 }

@@ -5,6 +5,13 @@ export const en = {
   intro:
     'What students ask when an arm does not do as they wish. Each question comes with an experiment: with the arm above, its joints without limits, and the same solver.',
   methods: { ccd: 'CCD', fabrik: 'FABRIK', 'least-squares': 'Least squares' },
+  curves: {
+    label: 'Curve',
+    both: 'Circle and heart',
+    circle: 'Circle',
+    heart: 'Heart',
+    drawn: 'The curve above',
+  },
   unreachable: {
     question: 'What if the target cannot be reached?',
     tryThis:
@@ -54,7 +61,7 @@ export const en = {
   },
   iterations: {
     question: 'How many iterations do CCD, FABRIK and least squares need?',
-    tryThis: raw`Every method looks for all targets on the lab’s circle and heart, each from the pose for the target before, in double precision and in single. Count; then make $\varepsilon$ larger step by step, and watch CCD in single precision.`,
+    tryThis: raw`Every method looks for 200 targets on the lab’s circle and 200 on its heart, each from the pose for the target before, in double precision and in single. Count; then make $\varepsilon$ larger step by step, and watch CCD in single precision.`,
     epsilon: 'ε, how near is near enough',
     most: 'K, the most iterations for one target',
     go: 'Count for {{targets}} targets',
@@ -113,8 +120,6 @@ export const en = {
     question: 'Why does the arm jitter between frames, and what does a rotation limit do?',
     tryThis:
       'The arm follows a curve, one target a frame. Compare two ways to start the searches: each picture lays eight poses in a row over each other. Go through the targets with the slider. Then choose the limit for one side, and make it tighter.',
-    curve: 'Curve',
-    curves: { circle: 'Circle', heart: 'Heart' },
     names: {
       warm: 'From the pose before',
       hanging: 'From the hanging arm',
@@ -131,7 +136,7 @@ export const en = {
     error: 'distance from the target, m',
     turnSummary: 'Largest turn of a joint at every target, for both ways, on a logarithmic axis.',
     errorSummary: 'Distance of the end effector from every target, for both ways, on a logarithmic axis.',
-    caption: 'Along the whole curve',
+    caption: 'Along the whole curve, from one target to the next',
     way: 'search starts',
     largest: 'largest turn',
     mean: 'mean turn',

@@ -28,14 +28,14 @@ export function JitterCharts({ sweeps, chosen, at }: Props) {
           points: points.slice(1), // to the first target the arm comes from elsewhere
         }))}
         x={x}
-        y={{ label: words.turn, logarithmic: true, range: [0.1, 1000] }}
+        y={{ label: words.turn, logarithmic: true, range: [0.1, 200] }}
         cursor={at + 1}
         summary={words.turnSummary}
       />
       <LineChart
         series={series(({ errors }) => [...errors])}
         x={x}
-        y={{ label: words.error, logarithmic: true, range: [1e-8, 10] }}
+        y={{ label: words.error, logarithmic: true, range: [1e-6, 10] }}
         cursor={at + 1}
         summary={words.errorSummary}
       />

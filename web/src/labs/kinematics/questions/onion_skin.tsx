@@ -38,7 +38,7 @@ export function OnionSkin({ sweep, targets, at, box }: Props) {
         <g key={pose} class={pose === at ? 'onion-skin-front' : undefined} opacity={(pose - first + 1) / poses.length}>
           <polyline points={pathOf(points)} />
           {points.map(([x, y], joint) => (
-            <circle key={joint === 0 ? 'root' : `${x} ${y}`} cx={x} cy={y} r={pose === at ? 0.03 : 0.015} />
+            <circle key={joint} cx={x} cy={y} r={pose === at ? 0.03 : 0.015} />
           ))}
         </g>
       ))}

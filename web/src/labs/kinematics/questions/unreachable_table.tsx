@@ -20,9 +20,13 @@ export function UnreachableTable({ results }: { results: readonly ReachByMethod[
         </tr>
         <tr>
           <th scope="col">{words.method}</th>
-          <th scope="col">{words.status}</th>
+          <th scope="col" class="group">
+            {words.status}
+          </th>
           <th scope="col">{words.iterations}</th>
-          <th scope="col">{words.iterations}</th>
+          <th scope="col" class="group">
+            {words.iterations}
+          </th>
           <th scope="col">{words.left}</th>
           <th scope="col">{words.creeps}</th>
         </tr>
@@ -31,11 +35,11 @@ export function UnreachableTable({ results }: { results: readonly ReachByMethod[
         {results.map(({ method, tested, untested, beyond, creeps }) => (
           <tr key={method} data-method={method}>
             <th scope="row">{methods[method]}</th>
-            <td>
+            <td class="group">
               <code>{tested.outcome}</code>
             </td>
             <td>{tested.iterations}</td>
-            <td>{untested.iterations}</td>
+            <td class="group">{untested.iterations}</td>
             <td>{formatLength(beyond[beyond.length - 1] ?? 0, 2)}</td>
             <td>{formatLength(creeps, 2)}</td>
           </tr>

@@ -2,7 +2,6 @@ import type { KinematicsSettings } from '../../../app/kinematics.ts';
 import type { Sweep } from '../../../solver/ik_sweep.ts';
 import type { Outcome } from '../../../solver/protocol.ts';
 import { freeTask } from './free_task.ts';
-import { type QuestionCurve, questionTargets } from './question_targets.ts';
 import { useAnswer } from './use_answer.ts';
 import type { Experiments } from './use_experiments.ts';
 
@@ -12,8 +11,8 @@ export type SweepName = (typeof sweepNames)[number];
 export type Sweeps = Record<SweepName, Sweep>;
 
 interface Wish {
-  curve: QuestionCurve;
-  count: number;
+  /** #T×3, m. */
+  targets: Float64Array;
   /** Degrees. */
   limit: number;
 }
@@ -22,9 +21,8 @@ interface Wish {
 export function useSweeps(experiments: Experiments, settings: KinematicsSettings, wish: Wish | null) {
   const { links, root, method, precision, iterations, epsilon } = settings;
   const wanted = wish && { ...wish, arm: { links, root, method, precision, iterations, epsilon } };
-  const answered = useAnswer(experiments, wanted, ({ curve, count, limit, arm }) => {
+  const answered = useAnswer(experiments, wanted, ({ targets, limit, arm }) => {
     const task = freeTask({ ...settings, ...arm });
-    const targets = questionTargets(curve, count);
     return async (service): Promise<Outcome<Sweeps>> => {
       const sweeps: [SweepName, Sweep][] = [];
       for (const name of sweepNames) {
@@ -37,5 +35,5 @@ export function useSweeps(experiments: Experiments, settings: KinematicsSettings
       return { ok: true, value: Object.fromEntries(sweeps) as Sweeps };
     };
   });
-  return answered && { sweeps: answered.answer, targets: questionTargets(answered.wish.curve, answered.wish.count) };
+  return answered && { sweeps: answered.answer, targets: answered.wish.targets };
 }

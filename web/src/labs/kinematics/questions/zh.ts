@@ -8,6 +8,7 @@ export const zh: Catalogue<typeof en> = {
   intro:
     '机械臂没有照自己的意思动时，学生常问的三个问题。每个问题都配有一个实验：用的就是上面的机械臂（关节不设限位）和同一个求解器。',
   methods: { ccd: 'CCD', fabrik: 'FABRIK', 'least-squares': '最小二乘' },
+  curves: { label: '曲线', both: '圆和心形', circle: '圆', heart: '心形', drawn: '上面的曲线' },
   unreachable: {
     question: '目标点够不到怎么办？',
     tryThis:
@@ -54,7 +55,7 @@ export const zh: Catalogue<typeof en> = {
   },
   iterations: {
     question: 'CCD、FABRIK 和最小二乘各需要多少次迭代？',
-    tryThis: raw`每种方法都求解实验室的圆和心形上的全部目标点，每次从上一个目标点的姿态出发，双精度和单精度各做一遍。先计数，再逐级增大 $\varepsilon$，注意观察单精度的 CCD。`,
+    tryThis: raw`每种方法都求解实验室的圆和心形上各 200 个目标点，每次从上一个目标点的姿态出发，双精度和单精度各做一遍。先计数，再逐级增大 $\varepsilon$，注意观察单精度的 CCD。`,
     epsilon: 'ε：多近才算到达',
     most: 'K：每个目标点的最大迭代次数',
     go: '统计 {{targets}} 个目标点',
@@ -110,8 +111,6 @@ export const zh: Catalogue<typeof en> = {
     question: '机械臂为什么会在帧与帧之间抖动？限制转角有什么作用？',
     tryThis:
       '机械臂沿曲线运动，每帧一个目标点。比较两种搜索起点：每幅图把连续八个姿态叠在一起。用滑块逐个查看目标点。然后在其中一侧选用转角限制，并把它收紧。',
-    curve: '曲线',
-    curves: { circle: '圆', heart: '心形' },
     names: {
       warm: '从上一个姿态出发',
       hanging: '从下垂的姿态出发',
@@ -128,7 +127,7 @@ export const zh: Catalogue<typeof en> = {
     error: '到目标点的距离，m',
     turnSummary: '两种方式下，每个目标点处关节的最大转角，纵轴为对数坐标。',
     errorSummary: '两种方式下，末端执行器到每个目标点的距离，纵轴为对数坐标。',
-    caption: '整条曲线',
+    caption: '整条曲线，逐个目标点统计',
     way: '搜索起点',
     largest: '最大转角',
     mean: '平均转角',
