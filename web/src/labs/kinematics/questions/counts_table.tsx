@@ -1,6 +1,7 @@
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatLength, formatQuantity } from '../../../lib/format.ts';
 import type { IterationCounts } from '../../../solver/ik_counts.ts';
+import { ikOutcomes } from '../../../solver/inverse_kinematics.ts';
 import { countOutcomes, median } from './histogram.ts';
 import { questionWords } from './question_words.ts';
 
@@ -8,6 +9,7 @@ import { questionWords } from './question_words.ts';
 export function CountsTable({ counts, most }: { counts: readonly IterationCounts[]; most: number }) {
   const { iterations: words, methods } = questionWords();
   const unreachable = counts.some(({ outcomes }) => outcomes.includes('UNREACHABLE'));
+  const ended = ikOutcomes.filter((outcome) => outcome !== 'UNREACHABLE' || unreachable);
   return (
     <>
       <table class="question-table">
@@ -17,10 +19,11 @@ export function CountsTable({ counts, most }: { counts: readonly IterationCounts
             <th scope="col">{words.method}</th>
             <th scope="col">{words.median}</th>
             <th scope="col">{words.largest}</th>
-            <th scope="col">CONVERGED</th>
-            <th scope="col">STALLED</th>
-            <th scope="col">MAX_ITERATIONS</th>
-            {unreachable && <th scope="col">UNREACHABLE</th>}
+            {ended.map((outcome) => (
+              <th key={outcome} scope="col">
+                {words.ended[outcome]}
+              </th>
+            ))}
             <th scope="col">{words.error}</th>
             <th scope="col">{words.time}</th>
           </tr>
@@ -35,10 +38,9 @@ export function CountsTable({ counts, most }: { counts: readonly IterationCounts
                 </th>
                 <td>{median(iterations)}</td>
                 <td>{Math.max(...iterations)}</td>
-                <td>{ends.CONVERGED}</td>
-                <td>{ends.STALLED}</td>
-                <td>{ends.MAX_ITERATIONS}</td>
-                {unreachable && <td>{ends.UNREACHABLE}</td>}
+                {ended.map((outcome) => (
+                  <td key={outcome}>{ends[outcome]}</td>
+                ))}
                 <td>{formatLength(largestError)}</td>
                 <td>{formatQuantity(1000 * time, 'µs', 2)}</td>
               </tr>

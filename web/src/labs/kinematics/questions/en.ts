@@ -34,20 +34,20 @@ export const en = {
     beyond: 'error of the search alone, beyond the unavoidable, m',
     summary:
       'Error against iterations for every method that only searches, on a logarithmic axis. Out of reach the curves fall for dozens of iterations, and nothing ends them.',
+    jump: 'A curve that jumps up shows a precaution of the solver: an arm that lies on one line with its target could be stuck there, so it is bent a little, once in every search.',
     caption: 'The same target, with the question for its distance and without',
     method: 'method',
-    status: 'status',
     iterations: 'iterations',
     left: 'error beyond the unavoidable',
-    creeps: 'moves on in the next frame by',
+    creeps: 'moves on next frame',
     ask: 'How can the solver know before its first iteration that a target is out of reach?',
     hint: 'How far from the root is the end effector when the arm is stretched? And when the longest link points one way and all others point back?',
     answer: raw`
       By the lengths $\ell_i$ of the links alone. Stretched, the end effector is $\sum \ell_i$ away from the root. Folded
       over the longest link, it is $2\ell_{\max} - \sum \ell_i$ away; where that is negative, the arm can touch its own
-      root. Every distance in between is possible, and no other. One comparison decides:
+      root. Every distance $d$ of a target in between is possible, and no other:
 
-      $$\max\bigl(0,\ 2\ell_{\max} - \textstyle\sum \ell_i\bigr) \;\le\; \lVert \text{target} - \mathbf{x}_0 \rVert \;\le\; \textstyle\sum \ell_i$$
+      $$\max\bigl(0,\ 2\ell_{\max} - \textstyle\sum \ell_i\bigr) \le d \le \textstyle\sum \ell_i$$
 
       Outside, the best pose needs no search: all links on the line through root and target. The answer is |UNREACHABLE|
       after 0 iterations, with the error that nobody can avoid. And it is calm: where the target moves by a small angle
@@ -75,6 +75,12 @@ export const en = {
     outcomes: {
       CONVERGED: 'within ε',
       STALLED: 'nothing moves any more',
+      UNREACHABLE: 'out of reach',
+      MAX_ITERATIONS: 'K used up',
+    },
+    ended: {
+      CONVERGED: 'converged',
+      STALLED: 'stalled',
       UNREACHABLE: 'out of reach',
       MAX_ITERATIONS: 'K used up',
     },

@@ -106,6 +106,7 @@ export function Unreachable({ experiments, settings }: { experiments: Experiment
             y={{ label: words.beyond, logarithmic: true, range: [1e-6, 10] }}
             summary={words.summary}
           />
+          <p class="question-note">{words.jump}</p>
           <UnreachableTable results={results} />
         </>
       )}

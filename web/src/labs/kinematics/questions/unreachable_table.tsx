@@ -2,7 +2,7 @@ import { formatLength } from '../../../lib/format.ts';
 import { questionWords } from './question_words.ts';
 import type { ReachByMethod } from './use_reach.ts';
 
-/** For every method: how its search ended with the question for the distance, how without, and what the next frame does. */
+/** For every method: its iterations with the question for the distance and without, how near it came without, and what the next frame does. */
 export function UnreachableTable({ results }: { results: readonly ReachByMethod[] }) {
   const { unreachable: words, methods } = questionWords();
   return (
@@ -11,18 +11,13 @@ export function UnreachableTable({ results }: { results: readonly ReachByMethod[
       <thead>
         <tr>
           <td />
-          <th scope="colgroup" colSpan={2}>
-            {words.tested}
-          </th>
+          <th scope="col">{words.tested}</th>
           <th scope="colgroup" colSpan={3}>
             {words.untested}
           </th>
         </tr>
         <tr>
           <th scope="col">{words.method}</th>
-          <th scope="col" class="group">
-            {words.status}
-          </th>
           <th scope="col">{words.iterations}</th>
           <th scope="col" class="group">
             {words.iterations}
@@ -35,9 +30,6 @@ export function UnreachableTable({ results }: { results: readonly ReachByMethod[
         {results.map(({ method, tested, untested, beyond, creeps }) => (
           <tr key={method} data-method={method}>
             <th scope="row">{methods[method]}</th>
-            <td class="group">
-              <code>{tested.outcome}</code>
-            </td>
             <td>{tested.iterations}</td>
             <td class="group">{untested.iterations}</td>
             <td>{formatLength(beyond[beyond.length - 1] ?? 0, 2)}</td>

@@ -30,9 +30,9 @@ export const zh: Catalogue<typeof en> = {
     beyond: '只管搜索时，超出不可避免部分的误差，m',
     summary:
       '各方法只管搜索时，误差随迭代次数的变化，纵轴为对数坐标。目标点够不到时，曲线要下降几十次迭代，而且始终不会结束。',
+    jump: '曲线向上一跳，是求解器的防备措施：机械臂若与目标点恰好在一条直线上，可能会卡住，所以每次搜索中会把它略微弯曲一次。',
     caption: '同一个目标点：先判断距离与不判断距离',
     method: '方法',
-    status: '状态',
     iterations: '迭代次数',
     left: '超出不可避免部分的误差',
     creeps: '下一帧继续移动',
@@ -41,9 +41,9 @@ export const zh: Catalogue<typeof en> = {
     answer: raw`
       只凭各连杆的长度 $\ell_i$ 就够了。完全伸直时，末端执行器到根关节的距离是 $\sum \ell_i$；其余连杆全部沿最长的连杆折回时，
       距离是 $2\ell_{\max} - \sum \ell_i$，若为负数，则末端可以碰到根关节。两者之间的任何距离都能达到，此外的都不能。
-      一次比较便见分晓：
+      设目标点到根关节的距离为 $d$，一次比较便见分晓：
 
-      $$\max\bigl(0,\ 2\ell_{\max} - \textstyle\sum \ell_i\bigr) \;\le\; \lVert \text{目标点} - \mathbf{x}_0 \rVert \;\le\; \textstyle\sum \ell_i$$
+      $$\max\bigl(0,\ 2\ell_{\max} - \textstyle\sum \ell_i\bigr) \le d \le \textstyle\sum \ell_i$$
 
       目标点在范围之外时，最佳姿态无须搜索：所有连杆都在根关节与目标点的连线上。于是 0 次迭代就给出 |UNREACHABLE|，
       误差正是不可避免的那一部分。而且动作平稳：目标点绕根关节转过多小的角度，机械臂也只转过同样的角度。
@@ -72,6 +72,7 @@ export const zh: Catalogue<typeof en> = {
       UNREACHABLE: '够不到',
       MAX_ITERATIONS: 'K 次用完',
     },
+    ended: { CONVERGED: '收敛', STALLED: '停滞', UNREACHABLE: '够不到', MAX_ITERATIONS: 'K 次用完' },
     caption: '{{targets}} 个目标点，每个最多 K = {{most}} 次迭代',
     method: '方法与精度',
     median: '中位数',
