@@ -156,9 +156,9 @@ export const en = {
       near its start. From the pose before, that is the neighbour of the pose before, and the arm moves calmly. From a
       random pose it is another one every time. Each is right; shown one after the other, they jitter.
 
-      From the hanging arm the start is always the same, and so the poses change little, too. Yet the heart has a place
-      where the targets pass under the root: from one frame to the next the nearest pose is on the other side, and the
-      arm jumps.
+      From the hanging arm the start is always the same, and the poses follow each other nearly everywhere without a
+      jump. But the heart begins at its cusp, straight below the root. For that target the hanging arm may bend to any
+      side; for the next one only one side will do, and the arm jumps to it.
 
       A rotation limit holds back every joint that wants to turn further from one target to the next. Nothing can jump
       any more. The price is the error: a target that is too far away for one frame’s turns is not reached in that

@@ -42,7 +42,7 @@ export function Unreachable({ experiments, settings }: { experiments: Experiment
   );
   const shown = results?.find((result) => result.method === method) ?? null;
   const least = leastError(target.distance, shell);
-  const where = target.distance > shell.farthest ? 'tooFar' : target.distance < shell.nearest ? 'tooNear' : 'within';
+  const where = least <= epsilon ? 'within' : target.distance > shell.farthest ? 'tooFar' : 'tooNear';
   const verdict = fillTemplate(words[where], { least: formatLength(least) });
   return (
     <div ref={host} class="question-stage" data-answered={results !== null}>

@@ -11,7 +11,7 @@ export function UnreachableTable({ results }: { results: readonly ReachByMethod[
       <thead>
         <tr>
           <td />
-          <th scope="col">{words.tested}</th>
+          <th scope="colgroup">{words.tested}</th>
           <th scope="colgroup" colSpan={3}>
             {words.untested}
           </th>
