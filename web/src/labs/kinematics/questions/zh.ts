@@ -120,7 +120,7 @@ export const zh: Catalogue<typeof en> = {
     },
     sides: { first: '第一种起点', second: '第二种起点' },
     count: '曲线上的目标点数',
-    limit: '转角限制：每个目标点，关节最多转动',
+    limit: '转角限制（每个目标点）',
     place: '图中的目标点',
     picture: '机械臂在第 {{first}} 至 {{last}} 个目标点的姿态，越早的越淡。',
     target: '目标点',
