@@ -30,11 +30,11 @@ export function DrawingControls({ actions, pen }: Props) {
   const drawn = mode === 'draw' ? curve : null;
   const shown = pen.on.value ? 'hand' : drawn?.kind;
 
-  const choose = (kind: Kind) => {
+  const choose = (kind: Kind, byKeys: boolean) => {
     pen.putAway();
     const choice = latest.current[kind];
     if (choice) actions.setKinematics({ mode: 'draw', curve: choice });
-    if (kind === 'hand') pen.take();
+    if (kind === 'hand') pen.take(byKeys);
   };
   const button = (kind: Kind, name: ComponentChildren) => (
     <button
@@ -42,7 +42,7 @@ export function DrawingControls({ actions, pen }: Props) {
       type="button"
       aria-pressed={kind === shown}
       title={words.kinds[kind]}
-      onClick={() => choose(kind)}
+      onClick={({ detail }) => choose(kind, detail === 0)}
     >
       <CurvePicture choice={pictures[kind]} />
       {name}
