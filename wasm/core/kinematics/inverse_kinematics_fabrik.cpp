@@ -4,6 +4,25 @@
 
 namespace kinematics {
 
+namespace {
+
+/// Holds every joint to its limits, from the root on: each points its link from where it really is
+/// to where the next joint was to be, and so makes up for what those before it may not do.
+template <typename Scalar>
+void hold_towards(const Chain<Scalar>& chain, const std::vector<typename Chain<Scalar>::Vector3>& x,
+                  const JointLimits<Scalar>& limits, Pose<Scalar>& pose) {
+  using Quaternion = typename Pose<Scalar>::Quaternion;
+  for (int i = 0; i + 1 < chain.joints(); ++i) {
+    const Quaternion before = i == 0 ? Quaternion::Identity() : pose.R[i - 1];
+    const Quaternion R = before * pose.q[i];
+    const auto turn = Quaternion::FromTwoVectors(R * chain.offsets[i], x[i + 1] - pose.x[i]);
+    pose.q[i] = limits.hold(i, before.conjugate() * turn * R);
+    forward_kinematics(chain, i, pose);
+  }
+}
+
+}  // namespace
+
 template <typename Scalar>
 Solution<Scalar> inverse_kinematics_fabrik(const Chain<Scalar>& chain, const Pose<Scalar>& start,
                                            const typename Chain<Scalar>::Vector3& target,
@@ -29,7 +48,7 @@ Solution<Scalar> inverse_kinematics_fabrik(const Chain<Scalar>& chain, const Pos
                   rotations_from_positions(chain, x, pose);
                   events.push_back({iteration, Event<Scalar>::Kind::forward, -1, x, pose.q});
                   if (limits.any()) {
-                    limits.hold(pose);
+                    hold_towards(chain, x, limits, pose);
                     events.push_back({iteration, Event<Scalar>::Kind::limit, -1, pose.x, pose.q});
                   }
                 });

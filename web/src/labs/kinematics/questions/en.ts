@@ -164,6 +164,10 @@ export const en = {
       any more. The price is the error: a target that is too far away for one frame’s turns is not reached in that
       frame, and the arm lags behind. A motor, which has a highest speed, needs such a limit. To draw a curve well, it is better
       to start from the pose before and to put the targets closer together: then the limit is never met.
+
+      FABRIK bears the limit worst. It moves points and knows no rotations; only after a pass can these be held, and the next
+      pass moves the points as if nothing had held them. CCD and least squares turn joints, and let the others turn further
+      for the one that is held.
     `,
   },
 };
