@@ -76,6 +76,17 @@ test('path data and pasted markup are drawn, and a mistake in them has its place
   await expect(problem(page).locator('mark')).toHaveText('?');
 });
 
+test('drawing by hand takes the pen, any other curve puts it away', async ({ page }) => {
+  await open(page, lab());
+  const pen = page.getByRole('button', { name: 'Draw on the floor' });
+  await kind(page, 'By hand').click();
+  await expect(pen).toHaveAttribute('aria-pressed', 'true');
+  await expect(kind(page, 'By hand')).toHaveAttribute('aria-pressed', 'true');
+  await kind(page, 'Circle').click();
+  await expect(pen).toHaveAttribute('aria-pressed', 'false');
+  await expect(controls(page)).toHaveAttribute('data-curve', 'circle');
+});
+
 test('the three samplings are compared in numbers, and the arm takes the chosen one', async ({ page }) => {
   await open(page, lab({ curve: { kind: 'circle' }, points: 30 }));
   const cards = page.locator('.spread');

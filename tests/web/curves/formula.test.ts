@@ -93,6 +93,21 @@ describe('parseFormula', () => {
     expect((parseFormula('tan(2) + T') as Formula).columnOfT).toBe(10);
   });
 
+  it.each([
+    ['1/2 t', String.raw`\frac{1}{2}\,t`],
+    ['(t + 1)/(2t)', String.raw`\frac{t+1}{2\,t}`],
+    ['-t^2', '-{t}^{2}'],
+    ['(t - 1)²', String.raw`{\left(t-1\right)}^{2}`],
+    ['2^(t + 1)', '{2}^{t+1}'],
+    ['t - -2', String.raw`t-\left(-2\right)`],
+    ['2 * -t', String.raw`2\cdot \left(-t\right)`],
+    ['Sin(2πt) e', String.raw`\sin\left(2\,\pi\,t\right)\,\mathrm{e}`],
+    ['sin(t)^5', String.raw`\sin^{5}\left(t\right)`],
+    ['sqrt(t)²', String.raw`{\sqrt{t}}^{2}`],
+    ['atan(sqrt(abs(t)))', String.raw`\arctan\left(\sqrt{\left|t\right|}\right)`],
+    ['2e−3 t⁻¹', String.raw`2\cdot 10^{-3}\,{t}^{-1}`],
+  ])('writes %s as it is read', (text, tex) => expect((parseFormula(text) as Formula).tex()).toBe(tex));
+
   const word = fc.constantFrom(
     't',
     'pi',
@@ -132,7 +147,10 @@ describe('parseFormula', () => {
           if ('reason' in formula) {
             expect(formula.column).toBeGreaterThanOrEqual(1);
             expect(formula.column).toBeLessThanOrEqual([...text].length + 1);
-          } else expect(typeof formula.at(1)).toBe('number');
+          } else {
+            expect(typeof formula.at(1)).toBe('number');
+            expect(formula.tex()).not.toContain('undefined');
+          }
         },
       ),
       { numRuns: 500 },

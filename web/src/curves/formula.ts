@@ -2,11 +2,14 @@ import { compileFormula, MeaninglessFormula } from './compile_formula.ts';
 import { curveLimits } from './curve_choice.ts';
 import { type CurveReason, columnAt } from './curve_problem.ts';
 import { formulaGrammar, functions } from './formula_grammar.ts';
+import { formulaTeX } from './formula_tex.ts';
 
 const deepest = 30; // parentheses; the parser's own stack bears about a hundred
 
 export interface Formula {
   at(t: number): number;
+  /** As it is read: 1/2 t is a half in front of t. */
+  tex(): string;
   /** Where t first stands, as a column from 1; null in a constant. */
   columnOfT: number | null;
 }
@@ -42,7 +45,7 @@ export function parseFormula(typed: string): Formula | FormulaMistake {
   }
   try {
     const t = text.search(/(?<!\p{L})t(?!\p{L})/iu);
-    return { at: compileFormula(match), columnOfT: t < 0 ? null : columnAt(typed, t) };
+    return { at: compileFormula(match), tex: () => formulaTeX(match), columnOfT: t < 0 ? null : columnAt(typed, t) };
   } catch (error) {
     if (error instanceof MeaninglessFormula) return mistake(error.index, error.reason);
     throw error;

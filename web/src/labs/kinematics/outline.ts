@@ -1,9 +1,6 @@
 import type { Curve } from '../../curves/curve.ts';
 import { type SampledCurve, sampleCurve } from '../../curves/sample_curve.ts';
 
-/** Enough for a picture of a few hundred pixels to look smooth. */
-const points = 400;
-
 /** Left, top, width and height of an SVG's view box in m, y downwards. */
 export type ViewBox = readonly [number, number, number, number];
 
@@ -13,8 +10,8 @@ export interface Outline {
   viewBox: ViewBox;
 }
 
-/** `margin`: around the curve, of its longer side. */
-export function outlineOf(curve: Curve, margin: number): Outline {
+/** `margin`: around the curve, of its longer side. `points`: as many lines, so that the eye sees none. */
+export function outlineOf(curve: Curve, margin: number, points: number): Outline {
   const sampled = sampleCurve(curve, 'curvature', points);
   return { d: pathThrough(sampled, curve), viewBox: boxAround(sampled.points, margin) };
 }

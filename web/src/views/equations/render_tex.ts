@@ -2,8 +2,9 @@ import katex from 'katex';
 import { symbolMacros } from '../../notation/macros.ts';
 import { isSymbolId } from '../../notation/symbols.ts';
 
-/** Author text only, so the number of entries is that of the formulas in the source. */
+/** TeX of the page's own making only: author's text, and formulas that readers type once they are parsed and written anew. */
 const rendered = new Map<string, string>();
+const most = 2000; // more than the source has; typed ones could be any number
 
 /** HTML for the eye and MathML for the screen reader; every symbol of the table carries `data-sym`. */
 export function renderTeX(tex: string, display: boolean): string {
@@ -17,6 +18,7 @@ export function renderTeX(tex: string, display: boolean): string {
       strict: (code) => (code === 'htmlExtension' ? 'ignore' : 'error'),
       trust: isSymbolHook,
     });
+    if (rendered.size >= most) rendered.clear();
     rendered.set(key, html);
   }
   return html;

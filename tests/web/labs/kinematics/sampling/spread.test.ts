@@ -26,7 +26,7 @@ describe('spreadOf', () => {
 
 describe('outlineOf', () => {
   it('has the curve in the middle of its view box, with the margin around', () => {
-    const { d, viewBox } = outlineOf(curveOf('square'), 0.1);
+    const { d, viewBox } = outlineOf(curveOf('square'), 0.1, 40);
     viewBox.forEach((value, i) => {
       expect(value).toBeCloseTo([-0.24, -0.24, 0.48, 0.48][i] as number, 12);
     });

@@ -7,7 +7,7 @@ import { outlineOf } from '../outline.ts';
 export function CurvePicture({ choice }: { choice: CurveChoice }) {
   const outline = useMemo(() => {
     const made = curveFrom(choice);
-    return made.ok ? outlineOf(made.curve, 0.05) : null;
+    return made.ok ? outlineOf(made.curve, 0.05, 200) : null;
   }, [choice]);
   if (!outline) return null;
   return (

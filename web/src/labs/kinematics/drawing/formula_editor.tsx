@@ -1,6 +1,8 @@
 import type { Actions } from '../../../app/actions.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import type { CurveField as FieldName } from '../../../curves/curve_problem.ts';
+import { parseFormula } from '../../../curves/formula.ts';
+import { WideFormula } from '../../../views/equations/wide_formula.tsx';
 import { CurveField } from './curve_field.tsx';
 import { CurvePicture } from './curve_picture.tsx';
 import { en } from './en.ts';
@@ -31,6 +33,7 @@ export function FormulaEditor({ drawn, actions }: { drawn: FormulaChoice; action
         {field('to')}
       </div>
       <ProblemNote id="curve-problem" text={problem ? typed[problem.field as 'x'] : ''} problem={problem} />
+      <WideFormula tex={texOf(drawn)} />
       <p id="curve-hint" class="curve-hint">
         {words.hint}
       </p>
@@ -45,4 +48,13 @@ export function FormulaEditor({ drawn, actions }: { drawn: FormulaChoice; action
       </fieldset>
     </>
   );
+}
+
+/** What the arm draws: x over y. */
+function texOf({ x, y, from, to }: FormulaChoice): string {
+  const [texX, texY, texFrom, texTo] = [x, y, from, to].map((text) => {
+    const formula = parseFormula(text);
+    return 'reason' in formula ? '' : formula.tex();
+  });
+  return String.raw`\begin{aligned}x(t)&=${texX}\\y(t)&=${texY}\end{aligned}\qquad ${texFrom}\le t\le ${texTo}`;
 }

@@ -26,7 +26,7 @@ export function EvenSampling({ actions }: { actions: Actions }) {
     const made = curveFrom(choice);
     return made.ok ? made.curve : null;
   }, [choice]);
-  const outline = useMemo(() => curve && outlineOf(curve, 0.06), [curve]);
+  const outline = useMemo(() => curve && outlineOf(curve, 0.06, 2000), [curve]);
   const spreads = useMemo(() => curve && samplings.map((one) => spreadOf(curve, one, points)), [curve, points]);
   if (!curve || !outline || !spreads) return null; // until what a link describes badly is replaced
   const fewest = fewestPoints(curve);
