@@ -132,6 +132,18 @@ test('other settings keep the place in the drawing, another curve begins, a targ
   expect(session.drawing.value).toBeNull();
 });
 
+test('a target in the midst of a drawing is reached for from where the arm then is', async () => {
+  want({ mode: 'draw', points: 50 });
+  const session = newSession();
+  await session.pursue();
+  const drawn = session.drawing.value?.followed.x;
+  session.play();
+  session.place.value = 20;
+  want({ mode: 'aim' });
+  await session.pursue();
+  expectSame(session.search.value?.answer.start_x, drawn?.slice(15 * 20, 15 * 21));
+});
+
 test('a curve that cannot be read gives way to the default, and a word about it', async () => {
   want({ mode: 'draw', curve: { kind: 'formula', x: 'cos(', y: 't', from: '0', to: '1' } });
   const session = newSession();

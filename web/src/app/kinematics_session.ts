@@ -202,16 +202,16 @@ export class KinematicsSession {
 
   private async aim(wanted: KinematicsSettings): Promise<boolean> {
     const { accepted } = this;
+    const before = this.playing.value ? this.pose.value : (this.search.value?.answer ?? null);
     this.playing.value = false;
     this.drawing.value = null;
     const { value: search } = this.search;
     const task = taskOf(wanted);
-    if (!accepted || !search || !isSame(chainOf(accepted), chainOf(wanted))) return this.reach(task);
+    if (!accepted || !before || !isSame(chainOf(accepted), chainOf(wanted))) return this.reach(task);
     if (accepted.mode === 'aim' && isSame(taskOf(accepted), task)) return true;
     // From where the arm is; for the same target by other means from where it was, so that both can be compared.
-    const start_q =
-      accepted.mode === 'aim' && isSame(accepted.target, wanted.target) ? search.answer.start_q : search.answer.q;
-    return this.reach({ ...task, start_q });
+    const again = accepted.mode === 'aim' && isSame(accepted.target, wanted.target);
+    return this.reach({ ...task, start_q: again && search ? search.answer.start_q : before.q });
   }
 
   /** Says why, where the target is refused. */
