@@ -35,9 +35,9 @@ export function armCurveOf({ targets, strokes, followed }: Drawing): ArmCurve {
 }
 
 /** CSS pixels. */
-const style = { line: 1.5, trail: 4 };
+const style = { line: 1.25, trail: 5 };
 /** Radius of a target's dot: a share of how far it is to the next, as long as that is enough to tell them apart. */
-const dot = { share: 0.2, least: 1, most: 3 };
+const dot = { share: 0.3, least: 0.9, most: 3 };
 /** How much of its colour what is not drawn yet has. */
 const ahead = 0.45;
 

@@ -11,11 +11,11 @@ const shownFloor = 0.45;
 /** Reaches from the root, from which on a target does not make everything else small. */
 const farAway = 1.3;
 
-/** The arm, the floor that it mostly works on, and a target that is not far off. */
+/** The arm, the floor that it mostly works on, its curve, and a target that is not far off. */
 export function homeFraming(picture: ArmPicture): Framing {
-  const { root, target } = picture;
+  const { root, target, curve } = picture;
   const far = Math.hypot(...target.map((value, axis) => value - root[axis])) > farAway * reachOf(picture);
-  return framing(picture, far ? [] : target);
+  return framing(picture, [...(far ? [] : target), ...(curve?.targets ?? [])]);
 }
 
 /** Likewise with everything that is drawn. */

@@ -12,7 +12,7 @@ interface Props {
   pictures: ReadonlySignal<number>;
 }
 
-/** CSS pixels: labels nearer to the one before would only cover it. */
+/** CSS pixels: labels nearer to one another would cover each other. */
 const crowded = 15;
 /** Of the floor, where its axes are named. */
 const axisEnd = 0.36;
@@ -54,16 +54,16 @@ function placeLabels(list: HTMLElement, arm: Arm3D): void {
   const picture = arm.eye()?.picture;
   if (!picture || picture.x.length + 6 !== 3 * list.children.length) return; // the arm of before, until the new one is found
   const along = axisEnd * floorRadius(reachOf(picture));
-  const { x, root } = picture;
-  const places = arm.placesOf(Float64Array.of(...x, root[0] + along, 0, 0, 0, 0, root[2] + along));
+  const { x: joints, root } = picture;
+  const places = arm.placesOf(Float64Array.of(...joints, root[0] + along, 0, 0, 0, 0, root[2] + along));
   if (!places) return;
-  let [lastX, lastY] = [Number.NEGATIVE_INFINITY, 0];
+  const taken: [number, number][] = [];
   [...list.children].forEach((label, at) => {
     const [left, top] = places.subarray(2 * at, 2 * at + 2);
-    const shown = Math.hypot(left - lastX, top - lastY) > crowded; // and so not behind the camera
+    const shown = !Number.isNaN(left) && taken.every(([x, y]) => Math.hypot(left - x, top - y) > crowded);
     (label as HTMLElement).hidden = !shown;
     if (!shown) return;
-    [lastX, lastY] = [left, top];
+    taken.push([left, top]);
     (label as HTMLElement).style.translate = `${left}px ${top}px`;
   });
 }
