@@ -1,3 +1,4 @@
+import { useComputed } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { inLanguage } from '../../app/messages/in_language.ts';
@@ -26,7 +27,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
   const session = useSession(actions);
   const pen = useMemo(() => new FloorPen(actions, session.pose), [actions, session]);
   const { value: drawing } = session.drawing;
-  const ready = session.pose.value !== null;
+  const ready = useComputed(() => session.pose.value !== null).value; // and not with every pose anew
 
   useEffect(() => {
     document.title = `${words.title} – ${t('page.title')}`;
