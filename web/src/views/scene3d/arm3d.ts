@@ -12,6 +12,9 @@ import { OrbitCamera } from './orbit_camera.ts';
 import { projectPoints, worldToClip } from './projection.ts';
 import type { CanvasCallbacks, ScreenPoint } from './types.ts';
 
+/** CSS pixels: half of what stands for a thing on the page. */
+const halfHandle = 12;
+
 /** An arm on a canvas of its own. It draws when `render()` is called and never by itself. */
 export class Arm3D {
   readonly orbitCamera = new OrbitCamera();
@@ -91,7 +94,8 @@ export class Arm3D {
   placeOnCanvas(point: ArrayLike<number>): ScreenPoint | null {
     const [x, y] = this.placesOf(Float64Array.from(point)) ?? [Number.NaN];
     const { width, height } = this.view;
-    return Number.isNaN(x) ? null : { x: Math.max(0, Math.min(width, x)), y: Math.max(0, Math.min(height, y)) };
+    const within = (place: number, length: number) => Math.max(halfHandle, Math.min(length - halfHandle, place));
+    return Number.isNaN(x) ? null : { x: within(x, width), y: within(y, height) };
   }
 
   dispose(): void {

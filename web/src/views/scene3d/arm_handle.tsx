@@ -1,7 +1,8 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
-import { useId, useLayoutEffect, useRef } from 'preact/hooks';
+import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Point3 } from '../../app/kinematics.ts';
 import type { Arm3D } from './arm3d.ts';
+import { QuietLine } from './quiet_line.tsx';
 import './pin_handle.css';
 
 interface Props {
@@ -25,6 +26,7 @@ interface Props {
 export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures, focused = false, onKey }: Props) {
   const handle = useRef<HTMLButtonElement>(null);
   const description = useId();
+  const [hasFocus, setFocus] = useState(false);
 
   // Without rendering it anew with every picture.
   useLayoutEffect(
@@ -49,6 +51,8 @@ export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures
         aria-label={label}
         aria-describedby={description}
         aria-pressed={pressed}
+        onFocus={() => setFocus(true)}
+        onBlur={() => setFocus(false)}
         onKeyDown={(event) => {
           if (!onKey(event)) return;
           event.preventDefault();
@@ -58,6 +62,7 @@ export function ArmHandle({ arm, class: name, at, label, keys, pressed, pictures
       <span id={description} hidden>
         {keys}
       </span>
+      {hasFocus && <QuietLine text={label} />}
     </>
   );
 }

@@ -8,7 +8,6 @@ import { penText } from './arm_words.ts';
 import { zh } from './arm_zh.ts';
 import type { Arm3D } from './arm3d.ts';
 import type { FloorPen } from './floor_pen.ts';
-import { QuietLine } from './quiet_line.tsx';
 
 interface Props {
   arm: Arm3D;
@@ -36,19 +35,16 @@ export function PenHandle({ arm, pen, pictures, onEnd }: Props) {
     return true;
   };
   return (
-    <>
-      <ArmHandle
-        arm={arm}
-        class="pen-handle"
-        at={onFloor(pen.place.value)}
-        label={text}
-        keys={words.penKeys}
-        pressed={pen.isDown.value}
-        pictures={pictures}
-        focused={pen.byKeys}
-        onKey={onKey}
-      />
-      <QuietLine text={text} />
-    </>
+    <ArmHandle
+      arm={arm}
+      class="pen-handle"
+      at={onFloor(pen.place.value)}
+      label={text}
+      keys={words.penKeys}
+      pressed={pen.isDown.value}
+      pictures={pictures}
+      focused={pen.byKeys}
+      onKey={onKey}
+    />
   );
 }

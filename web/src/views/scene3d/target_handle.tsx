@@ -10,7 +10,6 @@ import type { ArmPicture } from './arm_picture.ts';
 import { type Came, targetText } from './arm_words.ts';
 import { zh } from './arm_zh.ts';
 import type { Arm3D } from './arm3d.ts';
-import { QuietLine } from './quiet_line.tsx';
 
 interface Props {
   arm: Arm3D;
@@ -32,18 +31,15 @@ export function TargetHandle({ arm, picture, session, aim, pictures }: Props) {
     return step !== null;
   };
   return (
-    <>
-      <ArmHandle
-        arm={arm}
-        class="target-handle"
-        at={target}
-        label={text}
-        keys={words.targetKeys}
-        pictures={pictures}
-        onKey={onKey}
-      />
-      <QuietLine text={text} />
-    </>
+    <ArmHandle
+      arm={arm}
+      class="target-handle"
+      at={target}
+      label={text}
+      keys={words.targetKeys}
+      pictures={pictures}
+      onKey={onKey}
+    />
   );
 }
 
