@@ -82,6 +82,12 @@ test('a link is made longer; a length that is none is answered by a sentence', a
   await page.keyboard.press('Enter');
   await expect(page.getByRole('alert')).toContainText('-1 is outside 0.01 … 5');
   await expect(length).toHaveValue('0.55');
+  await length.fill('0.7'); // what is typed stays, though the row is lit meanwhile
+  await page.locator('.link-list li').last().hover();
+  await page.locator('.link-list li').first().hover();
+  await expect(length).toHaveValue('0.7');
+  await page.keyboard.press('Enter');
+  await expect(table(page).locator('tbody tr').nth(2)).toContainText('0.700');
 });
 
 test('links come and go, and a bend limit holds the arm', async ({ page }) => {

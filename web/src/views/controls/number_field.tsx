@@ -21,6 +21,8 @@ interface Props {
 /** An exact value as text; what cannot be read or is out of range is answered with a sentence. */
 export function NumberField({ id, value, min, max, whole = false, unit, onSet, onClear, children }: Props) {
   const [problem, setProblem] = useState<string | null>(null);
+  /** What is being typed, however often the field is drawn meanwhile. */
+  const [draft, setDraft] = useState<string | null>(null);
   useEffect(() => setProblem(null), [value]); // a slider or a reset has answered it
 
   const shown = value === null ? '' : showNumber(value);
@@ -47,11 +49,12 @@ export function NumberField({ id, value, min, max, whole = false, unit, onSet, o
           id={id}
           inputMode="decimal"
           autocomplete="off"
-          value={shown}
+          value={draft ?? shown}
           aria-describedby={problem ? `${id}-problem` : undefined}
-          onChange={({ currentTarget: input }) => {
-            read(input.value);
-            input.value = shown; // a refused text stays in the sentence only; an accepted one is drawn next
+          onInput={({ currentTarget }) => setDraft(currentTarget.value)}
+          onChange={({ currentTarget }) => {
+            read(currentTarget.value);
+            setDraft(null); // a refused text stays in the sentence only
           }}
           onKeyDown={(event) => {
             if (event.key === 'Enter') event.currentTarget.blur(); // and the page's own keys work again

@@ -43,3 +43,16 @@ it('the root is pulled away by as much as the pass moves it', () => {
   expect(rootGap(lab, moment)).toBe(passRows(moment)[4].moved);
   expect(rootGap(lab, moment)).toBeGreaterThan(0.1);
 });
+
+it('limits turn back what is beyond them, and nothing else', () => {
+  const links = [1, 1, 1].map((length) => ({ length, bend: 30 }));
+  const held = armSearch({ links, root: [0, 0, 0], target: [1, -2, 0], method: 'fabrik', iterations: 1 });
+  const moment = momentAt(held, 3);
+  expect(moment.kind).toBe('limit');
+  const beyond = moment.before.q.map((_, at) => moment.before.q[at] - moment.after.q[at]);
+  for (const { joint, turned } of passRows(moment).slice(0, 3)) {
+    const changed = beyond.subarray(4 * joint, 4 * joint + 4).some((part) => Math.abs(part) > 1e-12);
+    expect((turned ?? 0) > 1e-11, `joint ${joint}`).toBe(changed);
+  }
+  expect(passRows(moment).some(({ turned }) => (turned ?? 0) > 0.1)).toBe(true);
+});

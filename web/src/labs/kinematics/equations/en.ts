@@ -33,6 +33,7 @@ export const en = {
     backward: 'backward pass',
     forward: 'forward pass',
     rotations: 'rotations from the positions',
+    limit: 'held to the limits',
     moved: 'moved, {{unit}}',
     turned: 'turned',
     rootGap: 'The root is {{length}} from where it belongs; the forward pass puts it back.',
@@ -50,6 +51,7 @@ export const en = {
     start: 'Nothing has turned yet: the search begins with this pose.',
     limit:
       'The positions asked for more than the joints may do. Each joint was turned back to its limit, and the end effector moved with them.',
+    within: 'No joint has gone beyond its limit, so all stay as they are.',
     straight:
       'No pose reaches the target, so there is nothing to search for: the arm is laid straight along the line from the root to the target, as near as it can come.',
     bend: 'The arm lay on one line with the target. There every method turns by nothing or by half a turn, so each joint was bent a little first.',

@@ -14,7 +14,7 @@ export interface PassRow {
   turned: number | null;
 }
 
-/** The joints in the order of the pass: from the end effector to the root, or from the root on. */
+/** The joints in the order of the pass, or of what limits made of it: from the end effector to the root, or from the root on. */
 export function passRows({ before, after, kind }: Moment): PassRow[] {
   const joints = after.x.length / 3;
   const rows = Array.from({ length: joints }, (_, joint) => ({

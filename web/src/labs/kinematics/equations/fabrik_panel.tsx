@@ -30,7 +30,7 @@ export function FabrikPanel({ search, moment, words: happened, note }: MethodPan
       ]}
       note={note}
     >
-      {(kind === 'backward' || kind === 'forward') && <Pass moment={moment} />}
+      {(kind === 'backward' || kind === 'forward' || kind === 'limit') && <Pass moment={moment} kind={kind} />}
       {kind === 'backward' && (
         <p class="equation-facts">
           {fillTemplate(words.fabrik.rootGap, { length: formatLength(rootGap(search, moment)) })}
@@ -41,28 +41,28 @@ export function FabrikPanel({ search, moment, words: happened, note }: MethodPan
   );
 }
 
-function Pass({ moment }: { moment: Moment }) {
+function Pass({ moment, kind }: { moment: Moment; kind: 'backward' | 'forward' | 'limit' }) {
   const words = inLanguage({ en, zh });
   const rows = passRows(moment);
-  const forward = moment.kind === 'forward';
+  const turns = kind !== 'backward';
   const scale = columnScale(Math.max(...rows.map(({ moved }) => moved)), 'm', 3);
   return (
     <JointTable
-      caption={forward ? words.fabrik.forward : words.fabrik.backward}
+      caption={words.fabrik[kind]}
       corner={metres.unit}
       columns={[
         'x',
         'y',
         'z',
         fillTemplate(words.fabrik.moved, { unit: scale.unit }),
-        ...(forward ? [words.fabrik.turned] : []),
+        ...(turns ? [words.fabrik.turned] : []),
       ]}
       rows={rows.map(({ joint, x, moved, turned }) => ({
         joint,
         cells: [
           ...x.map((value) => formatInColumn(value, metres)),
           formatInColumn(moved, scale),
-          ...(forward ? [turned === null ? words.none : `${formatDegrees(turned)}°`] : []),
+          ...(turns ? [turned === null ? words.none : `${formatDegrees(turned)}°`] : []),
         ],
       }))}
     />

@@ -3,8 +3,10 @@ import { inLanguage } from '../../../app/messages/in_language.ts';
 import type { IkMethod } from '../../../solver/inverse_kinematics.ts';
 import type { Moment } from '../trace/moment.ts';
 import { momentText } from '../trace/moment_text.ts';
+import { isNoAngle } from './angles.ts';
 import { CcdPanel } from './ccd_panel.tsx';
 import { en } from './en.ts';
+import { passRows } from './fabrik_numbers.ts';
 import { FabrikPanel } from './fabrik_panel.tsx';
 import { LeastSquaresPanel } from './least_squares_panel.tsx';
 import { zh } from './zh.ts';
@@ -30,7 +32,11 @@ export function MethodPanel({ search, moment }: { search: Search; moment: Moment
   const { kind } = moment;
   const Shown = panels[search.task.method];
   const isOutside = kind === 'start' || kind === 'limit' || kind === 'straight' || kind === 'bend';
-  return (
-    <Shown search={search} moment={moment} words={momentText(search, moment)} note={isOutside ? notes[kind] : null} />
-  );
+  const note = kind === 'limit' && !isHeld(moment) ? notes.within : isOutside ? notes[kind] : null;
+  return <Shown search={search} moment={moment} words={momentText(search, moment)} note={note} />;
+}
+
+/** Whether limits have turned any joint back. */
+function isHeld(moment: Moment): boolean {
+  return passRows(moment).some(({ turned }) => turned !== null && !isNoAngle(turned));
 }

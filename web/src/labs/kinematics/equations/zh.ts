@@ -34,6 +34,7 @@ export const zh: Catalogue<typeof en> = {
     backward: '后向过程',
     forward: '前向过程',
     rotations: '由位置求旋转',
+    limit: '退回到限位之内',
     moved: '移动/{{unit}}',
     turned: '转角',
     rootGap: '根关节偏离原位 {{length}}；前向过程会把它放回去。',
@@ -50,6 +51,7 @@ export const zh: Catalogue<typeof en> = {
   notes: {
     start: '尚未转动：搜索从这个姿态开始。',
     limit: '这些位置所要求的转角超出了关节限位。各关节被退回到限位之内，末端执行器也随之移动。',
+    within: '没有关节超出限位，姿态保持不变。',
     straight: '没有任何姿态能到达目标点，因此无需搜索：机械臂被沿根关节到目标点的直线摆直，这是离目标点最近的姿态。',
     bend: '机械臂与目标点共线，此时任何方法求出的转角不是零就是 180°，所以先让每个关节稍稍弯曲。',
   },
