@@ -41,11 +41,14 @@ export function FabrikPanel({ search, moment, words: happened, note }: MethodPan
   );
 }
 
+/** m: a move that is shown; what is less is mostly rounding. */
+const least = 1e-6;
+
 function Pass({ moment, kind }: { moment: Moment; kind: 'backward' | 'forward' | 'limit' }) {
   const words = inLanguage({ en, zh });
   const rows = passRows(moment);
   const turns = kind !== 'backward';
-  const scale = columnScale(Math.max(...rows.map(({ moved }) => moved)), 'm', 3);
+  const scale = columnScale(Math.max(least, ...rows.map(({ moved }) => moved)), 'm', 3);
   return (
     <JointTable
       caption={words.fabrik[kind]}
