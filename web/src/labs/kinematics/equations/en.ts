@@ -50,7 +50,7 @@ export const en = {
   notes: {
     start: 'Nothing has turned yet: the search begins with this pose.',
     limit:
-      'The positions asked for more than the joints may do. Each joint was turned back to its limit, and the end effector moved with them.',
+      'The positions asked for more than the joints may do. So from the root on, each joint points its link from where it is to where the next joint should have come, as far as its limit lets it.',
     within: 'No joint has gone beyond its limit, so all stay as they are.',
     straight:
       'No pose reaches the target, so there is nothing to search for: the arm is laid straight along the line from the root to the target, as near as it can come.',

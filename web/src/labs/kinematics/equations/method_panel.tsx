@@ -3,7 +3,6 @@ import { inLanguage } from '../../../app/messages/in_language.ts';
 import type { IkMethod } from '../../../solver/inverse_kinematics.ts';
 import type { Moment } from '../trace/moment.ts';
 import { momentText } from '../trace/moment_text.ts';
-import { isNoAngle } from './angles.ts';
 import { CcdPanel } from './ccd_panel.tsx';
 import { en } from './en.ts';
 import { passRows } from './fabrik_numbers.ts';
@@ -36,7 +35,10 @@ export function MethodPanel({ search, moment }: { search: Search; moment: Moment
   return <Shown search={search} moment={moment} words={momentText(search, moment)} note={note} />;
 }
 
+/** rad: what single precision may turn where no limit does. */
+const rounding = 1e-5;
+
 /** Whether limits have turned any joint back. */
 function isHeld(moment: Moment): boolean {
-  return passRows(moment).some(({ turned }) => turned !== null && !isNoAngle(turned));
+  return passRows(moment).some(({ turned }) => turned !== null && turned > rounding);
 }
