@@ -48,8 +48,8 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
           <Arm session={session} actions={actions} pen={pen} />
           <Result session={session} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
-          <DrawingControls actions={actions} pen={pen} />
           <Trace session={session} />
+          <DrawingControls actions={actions} pen={pen} />
           <ErrorChart session={session} />
           {drawing && <DrawingErrors session={session} drawing={drawing} />}
         </div>

@@ -267,7 +267,7 @@ export const page = {
     wasmMissing: 'The solver ({{url}}) could not be loaded: {{reason}}. Check the connection and reload.',
     solverStart: 'The solver did not start: {{reason}}.',
     crash: 'The solver stopped ({{reason}}). It was replaced and the last good state restored.',
-    curve: 'The curve cannot be drawn: its {{field}} is wrong at column {{column}}. Another took its place.',
+    curve: 'The curve in the link cannot be drawn: “{{field}}” is wrong at column {{column}}. Another took its place.',
     linkPart: 'The link’s part {{part}} = {{value}} could not be used; the default took its place.',
     linkTooLong: 'The link is {{length}} characters long and was not read; at most {{most}} are.',
     sceneUnknown: 'There is no scene “{{name}}”. The one before stays.',

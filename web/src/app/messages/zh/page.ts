@@ -253,7 +253,7 @@ export const page = {
     wasmMissing: '无法载入求解器（{{url}}）：{{reason}}。请检查网络后重新载入。',
     solverStart: '求解器未能启动：{{reason}}。',
     crash: '求解器意外停止（{{reason}}）。已更换求解器并恢复到最后的正常状态。',
-    curve: '曲线无法绘制：{{field}} 的第 {{column}} 列有误，已改用其他曲线。',
+    curve: '链接中的曲线无法绘制：“{{field}}”的第 {{column}} 列有误，已改用其他曲线。',
     linkPart: '链接中的 {{part}} = {{value}} 无法使用，已改用默认值。',
     linkTooLong: '链接长达 {{length}} 个字符，未予读取；最多 {{most}} 个。',
     sceneUnknown: '没有名为“{{name}}”的场景，仍保留原场景。',
