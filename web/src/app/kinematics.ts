@@ -58,7 +58,7 @@ export const defaultKinematics: KinematicsSettings = {
   target: [0.6, 0.3, 0.4],
   curve: { kind: 'heart' },
   sampling: 'arc-length',
-  points: 200,
+  points: 100,
   method: 'ccd',
   precision: 'double',
   iterations: 100,

@@ -56,10 +56,10 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <div class="kinematics-equations">
           <MethodChoice actions={actions} />
           <Equations session={session} />
+          <Settings actions={actions} />
         </div>
       </div>
       <EvenSampling actions={actions} />
-      <Settings actions={actions} />
       <Questions drawn={drawing?.targets ?? null} />
     </main>
   );
