@@ -13,6 +13,7 @@ export const en = {
   penDown: 'on the floor',
   penUp: 'lifted',
   penKeys: 'Arrow keys move the pen, with Shift ten times as far. Space lowers or lifts it. Enter ends the drawing.',
+  report: '{{place}} {{outcome}}',
   outcome: {
     CONVERGED: 'Reached; {{error}} off.',
     STALLED: 'The arm comes no nearer: {{error}} short of it.',

@@ -5,7 +5,7 @@ import { formatFixed, formatQuantity } from '../../lib/format.ts';
 import type { IkAnswer } from '../../solver/inverse_kinematics.ts';
 import type { en } from './arm_en.ts';
 
-type Words = Pick<typeof en, 'target' | 'outcome' | 'pen' | 'penDown' | 'penUp'>;
+type Words = Pick<typeof en, 'target' | 'report' | 'outcome' | 'pen' | 'penDown' | 'penUp'>;
 
 /** What became of a search. */
 export type Came = Pick<IkAnswer, 'outcome' | 'error'>;
@@ -14,7 +14,8 @@ export type Came = Pick<IkAnswer, 'outcome' | 'error'>;
 export function targetText(words: Words, [x, y, z]: Point3, came: Came | null): string {
   const place = fillTemplate(words.target, { x: formatFixed(x, 3), y: formatFixed(y, 3), z: formatFixed(z, 3) });
   if (!came) return place;
-  return `${place} ${fillTemplate(words.outcome[came.outcome], { error: formatQuantity(1e3 * came.error, 'mm') })}`;
+  const outcome = fillTemplate(words.outcome[came.outcome], { error: formatQuantity(1e3 * came.error, 'mm') });
+  return fillTemplate(words.report, { place, outcome });
 }
 
 export function penText(words: Words, [x, y]: Point2, isDown: boolean): string {

@@ -13,6 +13,7 @@ export const zh: typeof en = {
   penDown: '已落笔',
   penUp: '已抬笔',
   penKeys: '方向键移动画笔，按住 Shift 时步长为十倍；空格键落笔或抬笔；回车键结束手绘。',
+  report: '{{place}}{{outcome}}',
   outcome: {
     CONVERGED: '已到达，误差 {{error}}。',
     STALLED: '无法再靠近，还差 {{error}}。',
