@@ -14,7 +14,6 @@ import { en } from './arm_en.ts';
 import { gridStepOf } from './arm_floor.ts';
 import { offFloor } from './arm_geometry.ts';
 import { ArmLabels } from './arm_labels.tsx';
-import { useArmPicture } from './arm_picture_of.ts';
 import { ArmPointers } from './arm_pointers.ts';
 import { ArmTools } from './arm_tools.tsx';
 import { zh } from './arm_zh.ts';
@@ -22,6 +21,7 @@ import { Arm3D } from './arm3d.ts';
 import { type FloorPen, strokesNow } from './floor_pen.ts';
 import { PenHandle } from './pen_handle.tsx';
 import { TargetHandle } from './target_handle.tsx';
+import { useArmPicture } from './use_arm_picture.ts';
 import './arm.css';
 
 interface Props {
