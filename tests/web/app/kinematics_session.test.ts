@@ -1,4 +1,4 @@
-import { beforeEach, expect, onTestFinished, test } from 'vitest';
+import { beforeEach, expect, onTestFinished, test, vi } from 'vitest';
 import { defaultKinematics, type KinematicsSettings } from '../../../web/src/app/kinematics.ts';
 import { KinematicsSession } from '../../../web/src/app/kinematics_session.ts';
 import { notices } from '../../../web/src/app/notices.ts';
@@ -12,14 +12,14 @@ function want(change: Partial<KinematicsSettings>): void {
   state.value = { ...state.value, kinematics: { ...state.value.kinematics, ...change } };
 }
 
-function newSession(): KinematicsSession {
+function newWorker(): Worker {
   const worker = new PortWorker(kinematicsService(async () => solver));
   onTestFinished(() => worker.terminate());
-  return new KinematicsSession({
-    still: true,
-    createWorker: () => worker.asWorker(),
-    wasmBinary: async () => new ArrayBuffer(0),
-  });
+  return worker.asWorker();
+}
+
+function newSession({ still = true, createWorker = newWorker } = {}): KinematicsSession {
+  return new KinematicsSession({ still, createWorker, wasmBinary: async () => new ArrayBuffer(0) });
 }
 
 /** m: where the end effector is in what is shown. */
@@ -142,6 +142,64 @@ test('a target in the midst of a drawing is reached for from where the arm then 
   want({ mode: 'aim' });
   await session.pursue();
   expectSame(session.search.value?.answer.start_x, drawn?.slice(15 * 20, 15 * 21));
+});
+
+test('a target that is refused leaves the drawing as it is', async () => {
+  want({ mode: 'draw', points: 50 });
+  const session = newSession();
+  await session.pursue();
+  await session.goTo(30);
+  const drawing = session.drawing.value;
+  want({ mode: 'aim', target: [0, 1.7, 0] }); // the root
+  await session.pursue();
+  expect(state.value.kinematics.mode).toBe('draw');
+  expect(drawing).not.toBeNull();
+  expect(session.drawing.value).toBe(drawing);
+  expect(session.place.value).toBe(30);
+});
+
+test('drawing ends at the last target, also where fewer targets bring it nearer', async () => {
+  const frames: FrameRequestCallback[] = [];
+  vi.stubGlobal('requestAnimationFrame', (frame: FrameRequestCallback) => frames.push(frame));
+  vi.stubGlobal('cancelAnimationFrame', () => frames.splice(0));
+  onTestFinished(() => void vi.unstubAllGlobals());
+  want({ mode: 'draw', points: 50 });
+  const session = newSession();
+  const leave = session.follow();
+  await session.pursue();
+  await vi.waitUntil(() => session.drawing.value);
+  await session.goTo(40);
+  session.play();
+  want({ points: 20 });
+  await vi.waitUntil(() => session.drawing.value?.strokes.length === 21);
+  frames.splice(0).forEach((frame) => {
+    frame(performance.now());
+  });
+  expect(session.place.value).toBe(20);
+  expect(session.playing.value).toBe(false);
+  leave();
+});
+
+test('whoever leaves in the midst of a change leaves no worker and nothing that plays', async () => {
+  vi.stubGlobal('requestAnimationFrame', () => 0);
+  vi.stubGlobal('cancelAnimationFrame', () => {});
+  onTestFinished(() => void vi.unstubAllGlobals());
+  let workers = 0;
+  const createWorker = () => {
+    workers += 1;
+    return newWorker();
+  };
+  want({ mode: 'draw', points: 50 });
+  const session = newSession({ still: false, createWorker });
+  const leave = session.follow();
+  await vi.waitUntil(() => session.drawing.value); // and the last target is being looked into
+  want({ method: 'fabrik' });
+  const wanted = state.value.kinematics;
+  leave();
+  await new Promise((resolve) => setTimeout(resolve, 50)); // ms: many times what an answer takes
+  expect(workers).toBe(1);
+  expect(session.playing.value).toBe(false);
+  expect(state.value.kinematics).toBe(wanted);
 });
 
 test('a curve that cannot be read gives way to the default, and a word about it', async () => {

@@ -81,10 +81,12 @@ export class KinematicsSession {
     if (this.working) return;
     this.working = true;
     try {
-      while (state.value.kinematics !== this.accepted) {
+      while (!this.left && state.value.kinematics !== this.accepted) {
         const wanted = state.value.kinematics;
-        if (await this.make(wanted)) this.accepted = wanted;
-        else if (this.left || !this.fallBack(wanted)) return;
+        const made = await this.make(wanted);
+        if (this.left) return;
+        if (made) this.accepted = wanted;
+        else if (!this.fallBack(wanted)) return;
       }
     } finally {
       this.working = false;
@@ -148,13 +150,14 @@ export class KinematicsSession {
       const last = (this.drawing.value?.strokes.length ?? 1) - 1;
       const passed = Math.max(0, now - begun); // a picture's time may lie before the moment that asked for it
       const place = Math.min(last, from + Math.floor(passed / target_ms));
-      if (place === this.place.value) return;
-      this.place.value = place;
-      if (this.crew.queue === 0 && now > legibleSince + legible_ms) {
-        legibleSince = now;
-        void this.lookInside();
+      if (place !== this.place.value) {
+        this.place.value = place;
+        if (this.crew.queue === 0 && now > legibleSince + legible_ms) {
+          legibleSince = now;
+          void this.lookInside();
+        }
       }
-      if (place === last) void this.pause();
+      if (place === last) void this.pause(); // also where a shorter drawing has ended it
     };
     const stop = effect(() => {
       cancelAnimationFrame(asked);
@@ -196,22 +199,30 @@ export class KinematicsSession {
     });
     this.accepted = wanted;
     await this.lookInside();
-    if (another && !this.still) this.play();
+    if (another && !this.still && !this.left) this.play();
     return true;
   }
 
   private async aim(wanted: KinematicsSettings): Promise<boolean> {
-    const { accepted } = this;
-    const before = this.playing.value ? this.pose.value : (this.search.value?.answer ?? null);
+    const task = taskOf(wanted);
+    if (this.accepted?.mode === 'aim' && isSame(taskOf(this.accepted), task)) return true;
+    const start_q = this.startFor(wanted);
+    const { value: drawing } = this.drawing;
     this.playing.value = false;
     this.drawing.value = null;
+    if (await this.reach({ ...task, start_q })) return true;
+    this.drawing.value = drawing;
+    return false;
+  }
+
+  /** Where the arm is; for the same target by other means where it was, so that both can be compared. Another chain hangs down. */
+  private startFor(wanted: KinematicsSettings): Float64Array {
+    const { accepted } = this;
     const { value: search } = this.search;
-    const task = taskOf(wanted);
-    if (!accepted || !before || !isSame(chainOf(accepted), chainOf(wanted))) return this.reach(task);
-    if (accepted.mode === 'aim' && isSame(taskOf(accepted), task)) return true;
-    // From where the arm is; for the same target by other means from where it was, so that both can be compared.
-    const again = accepted.mode === 'aim' && isSame(accepted.target, wanted.target);
-    return this.reach({ ...task, start_q: again && search ? search.answer.start_q : before.q });
+    if (!accepted || !search || !isSame(chainOf(accepted), chainOf(wanted))) return new Float64Array();
+    if (accepted.mode === 'aim' && isSame(accepted.target, wanted.target)) return search.answer.start_q;
+    const { value: drawn } = this.pose;
+    return this.playing.value && drawn ? drawn.q : search.answer.q;
   }
 
   /** Says why, where the target is refused. */

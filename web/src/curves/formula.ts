@@ -44,7 +44,7 @@ export function parseFormula(typed: string): Formula | FormulaMistake {
     return mistake(parentheses.unclosed, { code: 'not_closed' });
   }
   try {
-    const t = text.search(/(?<!\p{L})t(?!\p{L})/iu);
+    const t = text.search(/(?<![^\P{L}π])[tT](?![^\P{L}π])/u); // π is a name of its own: in πt there is a t
     return { at: compileFormula(match), tex: () => formulaTeX(match), columnOfT: t < 0 ? null : columnAt(typed, t) };
   } catch (error) {
     if (error instanceof MeaninglessFormula) return mistake(error.index, error.reason);

@@ -18,7 +18,10 @@ const tex = (node: Node): string => node.tex();
 const inParentheses = (inside: string) => raw`\left(${inside}\right)`;
 
 /** As the right side of a sign: a − (−b). */
-const behindSign = (node: Node) => (tex(node).startsWith('-') ? inParentheses(tex(node)) : tex(node));
+function behindSign(node: Node): string {
+  const inside = tex(node); // once: signs may be nested, and each would double the work
+  return inside.startsWith('-') ? inParentheses(inside) : inside;
+}
 
 /** Where a bar or a raised line groups already: (a + b)/2 is one fraction without parentheses. */
 function bare(node: Node): string {
