@@ -108,6 +108,13 @@ describe('parseFormula', () => {
     ['2e−3 t⁻¹', String.raw`2\cdot 10^{-3}\,{t}^{-1}`],
   ])('writes %s as it is read', (text, tex) => expect((parseFormula(text) as Formula).tex()).toBe(tex));
 
+  it('writes nested signs as fast as it reads them', () => {
+    const signs = 200 - 1; // and t: as long as a formula may be
+    expect((parseFormula(`${'-'.repeat(signs)}t`) as Formula).tex()).toBe(
+      `-${String.raw`\left(-`.repeat(signs - 1)}t${String.raw`\right)`.repeat(signs - 1)}`,
+    );
+  });
+
   const word = fc.constantFrom(
     't',
     'pi',

@@ -42,7 +42,6 @@ export const kinematicsLimits = {
   length: { min: 0.01, max: 5 }, // m
   bend: { min: 0, max: 180 }, // degrees
   coordinate: { min: -20, max: 20 }, // m
-  points: { min: 8, max: 1000 },
   ...curveLimits,
   hand: { strokes: 100, points: 3000 },
   iterations: { min: 1, max: 1000 },

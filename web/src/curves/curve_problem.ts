@@ -31,6 +31,7 @@ export type CurveReason =
   | { code: 'path_ends_early' }
   | { code: 'no_move_first'; found: string }
   | { code: 'too_large'; found: string; maximum: number }
+  | { code: 'too_many_corners'; count: number; maximum: number }
   | { code: 'no_path_in_markup' };
 
 export type CurveProblem = CurveReason & {

@@ -29,7 +29,9 @@ const broken: CurveChoice[] = [
   { ...formula('1'), y: '1' } as CurveChoice,
   { kind: 'letters', text: '€' },
   { kind: 'hand', strokes: [[[1e3, 0]]] },
-  ...['M0 0 X', 'M0 0 L1', 'L1 1', 'M0 0 L1e10 1', '<svg/>'].map((d): CurveChoice => ({ kind: 'path', d })),
+  ...['M0 0 X', 'M0 0 L1', 'L1 1', 'M0 0 L1e10 1', '<svg/>', 'M0 0h1'.repeat(501)].map(
+    (d): CurveChoice => ({ kind: 'path', d }),
+  ),
 ];
 
 const problems = broken.map((choice) => {

@@ -64,6 +64,8 @@ export const en = {
     path_ends_early: 'Column {{column}}: the path ends too early; a number is missing.',
     no_move_first: 'Column {{column}}: path data begins with M or m, not with “{{found}}”.',
     too_large: 'Column {{column}}: {{found}} is larger than {{maximum}}.',
+    too_many_corners:
+      'This path has {{count}} ends and corners, each of which needs a point: at most {{maximum}} are drawn.',
     no_path_in_markup: 'There is no <path d="…"> in this markup.',
   } satisfies Record<CurveReason['code'], string>,
 };

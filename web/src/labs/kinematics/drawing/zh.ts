@@ -63,6 +63,7 @@ export const zh: typeof en = {
     path_ends_early: '第 {{column}} 个字符处路径过早结束，缺少一个数。',
     no_move_first: '第 {{column}} 个字符：路径数据应以 M 或 m 开头，而不是“{{found}}”。',
     too_large: '第 {{column}} 个字符：{{found}} 大于 {{maximum}}。',
+    too_many_corners: '这条路径有 {{count}} 个端点和拐角，每处都需要一个采样点：最多画 {{maximum}} 个。',
     no_path_in_markup: '这段标记里没有 <path d="…">。',
   },
 };
