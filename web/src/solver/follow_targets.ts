@@ -14,13 +14,16 @@ export interface Followed {
   outcomes: IkOutcome[];
 }
 
+/** Without the events, which for a long curve would fill the memory. */
+type Answered = Pick<IkAnswer, 'x' | 'q' | 'error' | 'iterations' | 'outcome'>;
+
 /** One target after the other, each from the pose that the one before has left; `targets` #T×3, m. The first one that is refused refuses all. */
 export function followTargets(
   solver: Pick<SolverModule, 'inverse_kinematics'>,
   task: IkTask,
   targets: Float64Array,
 ): Outcome<Followed> {
-  const answers: IkAnswer[] = [];
+  const answers: Answered[] = [];
   for (let i = 0; i < targets.length / 3; i++) {
     const before = answers.at(-1);
     const start = before ? { start: new Float64Array(), start_q: before.q } : {};
@@ -30,7 +33,8 @@ export function followTargets(
       target: targets.subarray(3 * i, 3 * i + 3),
     });
     if (status.code !== 'ok') return { ok: false, status };
-    answers.push(answer);
+    const { x, q, error, iterations, outcome } = answer;
+    answers.push({ x, q, error, iterations, outcome });
   }
   return {
     ok: true,

@@ -18,6 +18,9 @@ export interface Sweep {
   outcomes: IkOutcome[];
 }
 
+/** Without the events, which for a long curve would fill the memory. */
+type Answered = Pick<IkAnswer, 'x' | 'q' | 'error' | 'outcome'>;
+
 /** The same sequence of poses every time: an experiment that can be repeated. */
 const seed = 20;
 
@@ -29,7 +32,7 @@ export function sweep(
   start: SweepStart,
 ): Outcome<Sweep> {
   const random = randomNumbers(seed);
-  const answers: IkAnswer[] = [];
+  const answers: Answered[] = [];
   for (let at = 0; at < targets.length / 3; at++) {
     const before = answers.at(-1);
     const { status, answer } = solver.inverse_kinematics({
@@ -39,7 +42,8 @@ export function sweep(
       target: targets.subarray(3 * at, 3 * at + 3),
     });
     if (status.code !== 'ok') return { ok: false, status };
-    answers.push(answer);
+    const { x, q, error, outcome } = answer;
+    answers.push({ x, q, error, outcome });
   }
   return {
     ok: true,
@@ -55,7 +59,7 @@ export function sweep(
 function startOf(
   start: SweepStart,
   task: IkTask,
-  before: IkAnswer | undefined,
+  before: Answered | undefined,
   random: () => number,
 ): Pick<IkTask, 'start' | 'start_q'> {
   const none = new Float64Array();

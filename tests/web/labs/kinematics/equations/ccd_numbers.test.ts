@@ -36,7 +36,7 @@ describe('ccdNumbers', () => {
   it('shows single precision turning by nothing where θ is under half a thousandth', () => {
     const small = allNumbers(armSearch({ precision: 'single', epsilon: 1e-6 })).filter(({ theta }) => theta < 3e-4);
     expect(small.length).toBeGreaterThan(0);
-    for (const { turned } of small) expect(turned).toBe(0);
+    for (const { turned, short } of small) expect({ turned, short }).toEqual({ turned: 0, short: 'rounded' });
   });
 
   it('shows a limit: no joint turns by more than it may', () => {
@@ -45,5 +45,11 @@ describe('ccdNumbers', () => {
     expect(Math.max(...numbers.map(({ theta }) => theta))).toBeGreaterThan(most);
     const ofTheFirstRound = numbers.slice(0, 4).map(({ turned }) => turned);
     expect(Math.max(...ofTheFirstRound)).toBeLessThan(most + rounding);
+  });
+
+  it.each(['double', 'single'] as const)('tells a limit from rounding, in %s precision too', (precision) => {
+    const [first, ...others] = allNumbers(armSearch({ turn: 5, precision }));
+    expect(first.short).toBe('held');
+    for (const { theta, short } of others) if (theta > 0.01) expect(short).not.toBe('rounded');
   });
 });

@@ -13,9 +13,16 @@ export interface CcdNumbers {
   theta: number;
   /** #3, of length 1, in the world; null where both point the same way, or opposite ways. */
   axis: Vector | null;
-  /** rad: by how much the joint has turned in fact: by less where a limit held it, or rounding. */
+  /** rad: by how much the joint has turned in fact. */
   turned: number;
+  /** Why that is less than θ; null where it is not. */
+  short: 'held' | 'rounded' | null;
 }
+
+/** rad: a difference that only a limit makes. */
+const held = 1e-5;
+/** rad: in single precision the cosine of less is 1 but for its last bits. */
+const unknown = 1e-3;
 
 /** Of the joint that has turned last; null where that was no joint alone. */
 export function ccdNumbers({ task }: Search, { joint, before, after }: Moment): CcdNumbers | null {
@@ -26,12 +33,15 @@ export function ccdNumbers({ task }: Search, { joint, before, after }: Moment): 
   const across = cross(toEffector, toTarget);
   const sine = norm(across);
   const { angle: turned } = axisAngle(multiply(conjugate(quaternionAt(before.q, joint)), quaternionAt(after.q, joint)));
+  const theta = Math.atan2(sine, dot(toEffector, toTarget));
+  const rounded = task.precision === 'single' && theta < unknown && turned < theta / 2;
   return {
     joint,
     toEffector,
     toTarget,
-    theta: Math.atan2(sine, dot(toEffector, toTarget)),
+    theta,
     axis: sine > 0 ? scale(1 / sine, across) : null,
     turned,
+    short: rounded ? 'rounded' : theta - turned > held ? 'held' : null,
   };
 }

@@ -37,13 +37,9 @@ export function CcdPanel({ search, moment, words: happened, note }: MethodPanelP
   );
 }
 
-/** rad: a difference that only a limit makes. */
-const held = 1e-5;
-
 function Turn({ search, moment, numbers }: { search: Search; moment: Moment; numbers: CcdNumbers }) {
   const words = inLanguage({ en, zh });
-  const { joint, toEffector, toTarget, theta, axis, turned } = numbers;
-  const rounded = search.task.precision === 'single' && turned < theta / 2;
+  const { joint, toEffector, toTarget, theta, axis, turned, short } = numbers;
   return (
     <div {...jointHooks(joint)}>
       <p class="equation-facts">
@@ -62,13 +58,7 @@ function Turn({ search, moment, numbers }: { search: Search; moment: Moment; num
           { tex: raw`\symtoTarget_{${joint}}`, vector: toTarget, withLength: true },
         ]}
       />
-      {(rounded || theta - turned > held) && (
-        <p class="equation-note">
-          {fillTemplate(rounded ? words.ccd.rounded : words.ccd.held, {
-            angle: formatAngle(turned),
-          })}
-        </p>
-      )}
+      {short && <p class="equation-note">{fillTemplate(words.ccd[short], { angle: formatAngle(turned) })}</p>}
       <ErrorFact search={search} moment={moment} />
     </div>
   );

@@ -24,6 +24,12 @@ export function useAnswer<Wish, Answer>(
   const latest = useRef({ wish, done: 'null', busy: false });
   latest.current.wish = wish;
 
+  useEffect(
+    () => () => {
+      latest.current.wish = null; // who has left wishes nothing: it would find a new worker, which nobody would end
+    },
+    [],
+  );
   useEffect(() => {
     const { current } = latest;
     const pursue = async () => {
