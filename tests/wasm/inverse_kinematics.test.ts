@@ -305,6 +305,9 @@ describe.each(ikMethods)('%s with limits', (method) => {
 test.each([
   [task([1, 0, 0], {}, [0.5, 0, 0.5]), { code: 'not_positive', field: 'links', index: 1, value: 0 }],
   [task([0, 1.7, 0]), { code: 'on_root', field: 'target' }],
+  // In single precision 1.7 + 1e-9 is 1.7, and 1e-50 is 0.
+  [task([0, 1.7 + 1e-9, 0], { precision: 'single' }, [0.2, 0.3, 3]), { code: 'on_root', field: 'target' }],
+  [task([1, 0, 0], { precision: 'single' }, [1, 1e-50]), { code: 'not_positive', field: 'links', index: 1 }],
   [task([0, Number.NaN, 0]), { code: 'not_finite', field: 'target' }],
   [task([1, 0, 0], { offsets: new Float64Array() }), { code: 'wrong_length', field: 'links' }],
   [task([1, 0]), { code: 'wrong_length', field: 'target', value: 2 }],

@@ -13,10 +13,14 @@ export function notNegative(option: string, text: string): number {
   return value;
 }
 
+/** Of the solver's whole numbers. */
+const largestInt = 2 ** 31 - 1;
+
 export function wholeNumber(option: string, text: string): number {
   const value = Number(text);
   if (!(value > 0 && Number.isSafeInteger(value)))
     throw new UsageError(`${option}: "${text}" is not a whole number from 1 on`);
+  if (value > largestInt) throw new UsageError(`${option}: "${text}" is more than ${largestInt}`);
   return value;
 }
 

@@ -94,10 +94,14 @@ function point(option: string, text: string): Float64Array {
   return Float64Array.from(coordinates);
 }
 
+/** m: the squares of more would leave single precision. */
+const largest = 1e9;
+
 function numbers(option: string, text: string): number[] {
   return text.split(',').map((part) => {
     const value = part.trim() === '' ? Number.NaN : Number(part);
     if (!Number.isFinite(value)) throw new UsageError(`${option}: "${part}" in "${text}" is not a number`);
+    if (Math.abs(value) > largest) throw new UsageError(`${option}: "${part}" in "${text}" is beyond ±${largest} m`);
     return value;
   });
 }

@@ -67,6 +67,8 @@ test.each([
   [['--target', '1,2'], '--target: "1,2" is not three numbers X,Y,Z'],
   [['--target', '1,NaN,2'], '--target: "NaN" in "1,NaN,2" is not a number'],
   [['--target', '1,,2'], '--target: "" in "1,,2" is not a number'],
+  [['--target', '1,1e200,2'], '--target: "1e200" in "1,1e200,2" is beyond ±1000000000 m'],
+  [['--target', '0,0,0', '--iterations', '3e9'], '--iterations: "3e9" is more than 2147483647'],
   [['--target', '0,0,0', '--links', '1,two'], '--links: "two" in "1,two" is not a number'],
   [['--target', '0,0,0', '--start', '0,0,0;1,0,0'], '--start: 2 joints, but the links have 5'],
   [['--target', '0,0,0', '--method', 'jacobian'], '--method: "jacobian" is not one of ccd, fabrik, least-squares'],

@@ -72,8 +72,9 @@ Status validate_rotations(const std::vector<double>& q, int joints) {
   return {};
 }
 
-/// Of points one after the other, none may be where the one before is.
-Status validate_links(const std::string& field, const std::vector<Eigen::Vector3d>& links) {
+/// None may be without length, as the precision of the search has it.
+template <typename Vector3>
+Status validate_links(const std::string& field, const std::vector<Vector3>& links) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     const double length = links[i].norm();
     if (!(length > 0)) return {StatusCode::not_positive, field, static_cast<int>(i), length};
@@ -81,6 +82,7 @@ Status validate_links(const std::string& field, const std::vector<Eigen::Vector3
   return {};
 }
 
+template <typename Scalar>
 Status validate(const Task& task) {
   const int links = static_cast<int>(task.offsets.size() / 3);
   const int given = task.start.empty() || !task.start_q.empty() ? 0 : links + 1;
@@ -92,13 +94,20 @@ Status validate(const Task& task) {
         validate_bend_limits(task.settings.bend_limits, links)}) {
     if (!status.ok()) return status;
   }
-  std::vector<Eigen::Vector3d> offsets, starts;
-  for (int i = 0; i < links; ++i) offsets.push_back(row(task.offsets, i));
-  for (int i = 0; i + 1 < given; ++i) starts.push_back(row(task.start, i + 1) - row(task.start, i));
+  const auto point = [](const std::vector<double>& points, int i) {
+    return typename Chain<Scalar>::Vector3(row(points, i).template cast<Scalar>());
+  };
+  std::vector<typename Chain<Scalar>::Vector3> offsets, starts;
+  for (int i = 0; i < links; ++i) offsets.push_back(point(task.offsets, i));
+  for (int i = 0; i + 1 < given; ++i) {
+    starts.push_back(point(task.start, i + 1) - point(task.start, i));
+  }
   for (const Status& status : {validate_links("links", offsets), validate_links("start", starts)}) {
     if (!status.ok()) return status;
   }
-  if (row(task.target, 0) == row(task.root, 0)) return {StatusCode::on_root, "target", -1, 0};
+  if ((point(task.target, 0) - point(task.root, 0)).norm() == 0) {
+    return {StatusCode::on_root, "target", -1, 0};
+  }
   return {};
 }
 
@@ -149,12 +158,18 @@ Answer solve(const Task& task) {
   return answer;
 }
 
+template <typename Scalar>
+Status validate_and_solve(const Task& task, Answer& answer) {
+  const Status status = validate<Scalar>(task);
+  if (status.ok()) answer = solve<Scalar>(task);
+  return status;
+}
+
 }  // namespace
 
 Status inverse_kinematics(const Task& task, Answer& answer) {
-  const Status status = validate(task);
-  if (status.ok()) answer = task.single_precision ? solve<float>(task) : solve<double>(task);
-  return status;
+  return task.single_precision ? validate_and_solve<float>(task, answer)
+                               : validate_and_solve<double>(task, answer);
 }
 
 }  // namespace kinematics

@@ -19,9 +19,9 @@ class JointLimits {
   bool any() const { return turning() || bending(); }
   bool bending() const { return !bend_limits_.empty(); }
 
-  /// The rotation of joint i nearest to q that is allowed: turned from the start by at most the
-  /// turn limit, then bent by at most the joint's own. Where the start itself was bent further, the
-  /// bend limit holds and the turn limit does not.
+  /// q, turned from the start by at most the turn limit, then bent by at most the joint's own.
+  /// Where both cannot hold the bend limit does: the start itself was bent further, or bending back
+  /// turns on, as it may under a turn limit of 15 degrees or more.
   Quaternion hold(int i, const Quaternion& q) const;
 
   /// Every joint, and forward kinematics.

@@ -4,8 +4,7 @@ import type { SolverModule } from './module.ts';
 import type { Outcome } from './protocol.ts';
 
 /** From where the search for each target begins: where the one before ended, the hanging chain, or a pose made up anew. */
-export const sweepStarts = ['warm', 'hanging', 'random'] as const;
-export type SweepStart = (typeof sweepStarts)[number];
+export type SweepStart = 'warm' | 'hanging' | 'random';
 
 /** How a chain came along a curve. */
 export interface Sweep {

@@ -6,8 +6,15 @@ import { en } from './arm_en.ts';
 import { zh } from './arm_zh.ts';
 import { type FloorPen, strokesNow } from './floor_pen.ts';
 
+interface Props {
+  pen: FloorPen;
+  /** Is given the button that takes the pen. */
+  toggle: Ref<HTMLButtonElement>;
+  onFit: () => void;
+}
+
 /** Takes the pen for the floor or puts it away, and clears what it has drawn. */
-export function FloorPenButtons({ pen, toggle = null }: { pen: FloorPen; toggle?: Ref<HTMLButtonElement> }) {
+function FloorPenButtons({ pen, toggle }: Pick<Props, 'pen' | 'toggle'>) {
   const words = inLanguage({ en, zh });
   const on = pen.on.value;
   return (
@@ -28,13 +35,6 @@ export function FloorPenButtons({ pen, toggle = null }: { pen: FloorPen; toggle?
       )}
     </>
   );
-}
-
-interface Props {
-  pen: FloorPen;
-  /** Is given the button that takes the pen. */
-  toggle: Ref<HTMLButtonElement>;
-  onFit: () => void;
 }
 
 export function ArmTools({ pen, toggle, onFit }: Props) {
