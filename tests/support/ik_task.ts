@@ -1,7 +1,10 @@
 import type { IkTask } from '../../web/src/solver/inverse_kinematics.ts';
 
+/** m: of the lab's chain. */
+export const labLinks: readonly number[] = [0.8, 0.4, 0.2, 1.2];
+
 /** For the lab's chain, hanging down from a height of 1.7 m, or for one with other links. */
-export function ikTask(given: Partial<IkTask> = {}, links: readonly number[] = [0.8, 0.4, 0.2, 1.2]): IkTask {
+export function ikTask(given: Partial<IkTask> = {}, links = labLinks): IkTask {
   return {
     offsets: Float64Array.from(links.flatMap((length) => [0, -length, 0])),
     root: Float64Array.of(0, 1.7, 0),
