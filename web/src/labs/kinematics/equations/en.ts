@@ -54,6 +54,8 @@ export const en = {
     within: 'No joint has gone beyond its limit, so all stay as they are.',
     straight:
       'No pose reaches the target, so there is nothing to search for: the arm is laid straight along the line from the root to the target, as near as it can come.',
+    straightened:
+      'No pose reaches the target, so there is nothing to search for: every joint turns towards the pose that lies straight along the line from the root to the target, at most by its limit.',
     bend: 'The arm lay on one line with the target. There every method turns by nothing or by half a turn, so each joint was bent a little first.',
   },
   outcomes: {

@@ -28,11 +28,24 @@ const panels: Record<IkMethod, (props: MethodPanelProps) => preact.JSX.Element> 
 /** What the method has just done. */
 export function MethodPanel({ search, moment }: { search: Search; moment: Moment }) {
   const { notes } = inLanguage({ en, zh });
-  const { kind } = moment;
   const Shown = panels[search.task.method];
-  const isOutside = kind === 'start' || kind === 'limit' || kind === 'straight' || kind === 'bend';
-  const note = kind === 'limit' && !isHeld(moment) ? notes.within : isOutside ? notes[kind] : null;
-  return <Shown search={search} moment={moment} words={momentText(search, moment)} note={note} />;
+  const about = noteOf(search, moment);
+  return <Shown search={search} moment={moment} words={momentText(search, moment)} note={about && notes[about]} />;
+}
+
+/** What is to be said about an event that is no step of the method. */
+function noteOf({ task }: Search, moment: Moment) {
+  switch (moment.kind) {
+    case 'start':
+    case 'bend':
+      return moment.kind;
+    case 'straight':
+      return task.turn_limit < Math.PI ? 'straightened' : 'straight';
+    case 'limit':
+      return isHeld(moment) ? 'limit' : 'within';
+    default:
+      return null;
+  }
 }
 
 /** rad: what single precision may turn where no limit does. */
