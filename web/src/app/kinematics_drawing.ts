@@ -6,6 +6,8 @@ import type { Point3 } from './kinematics.ts';
 /** A curve as the arm draws it, one target a picture. */
 export interface Drawing extends DrawingTargets {
   followed: Followed;
+  /** m: how near was near enough. */
+  epsilon: number;
 }
 
 export interface DrawingTargets {

@@ -193,7 +193,7 @@ export class KinematicsSession {
     const another = !accepted || accepted.mode === 'aim' || !isSame(accepted.curve, wanted.curve);
     const last = drawn.strokes.length - 1;
     batch(() => {
-      this.drawing.value = { ...drawn, followed: outcome.value };
+      this.drawing.value = { ...drawn, followed: outcome.value, epsilon: wanted.epsilon };
       if (another) this.place.value = this.still ? last : 0;
       else this.place.value = Math.min(this.place.value, last);
     });

@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type KinematicsSettings, kinematicsLimits } from '../../../../web/src/app/kinematics.ts';
+import { notices } from '../../../../web/src/app/notices.ts';
 import { defaultState, state } from '../../../../web/src/app/state.ts';
 import { extended, FloorPen, type Stroke } from '../../../../web/src/views/scene3d/floor_pen.ts';
 
@@ -18,6 +19,7 @@ const line: Stroke = [
 
 let pen: FloorPen;
 beforeEach(() => {
+  notices.value = [];
   state.value = defaultState;
   pen = new FloorPen(actions, pose);
 });
@@ -94,5 +96,14 @@ describe('FloorPen', () => {
     ]);
     pen.putAway();
     expect(state.value.kinematics.mode).toBe('draw');
+  });
+
+  it('says so when it has drawn as many strokes as a link carries', () => {
+    pen.take(false);
+    for (let i = 0; i < kinematicsLimits.hand.strokes; i++) draw(line);
+    expect(notices.value).toEqual([]);
+    draw(line);
+    expect(notices.value).toMatchObject([{ key: 'page.errors.drawnAll', params: { strokes: 100 } }]);
+    expect(state.value.kinematics.curve).toMatchObject({ strokes: { length: 100 } });
   });
 });

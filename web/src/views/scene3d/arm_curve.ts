@@ -20,7 +20,7 @@ export interface ArmCurve {
 }
 
 /** What of a drawing is on the floor. */
-export function armCurveOf({ targets, strokes, followed }: Drawing): ArmCurve {
+export function armCurveOf({ targets, strokes, followed }: Omit<Drawing, 'epsilon'>): ArmCurve {
   const joints = followed.x.length / targets.length;
   const rows = Array.from(strokes, (_, i) => i).filter((i) => strokes[i] >= 0);
   let gone = 0;

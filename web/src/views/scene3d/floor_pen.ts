@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Actions } from '../../app/actions.ts';
 import { kinematicsLimits } from '../../app/kinematics.ts';
+import { notify } from '../../app/notices.ts';
 import type { Pose } from '../../app/pose.ts';
 import { state } from '../../app/state.ts';
 import type { Point2 } from '../../curves/curve.ts';
@@ -61,7 +62,10 @@ export class FloorPen {
     this.isDown.value = false;
     this.stroke.value = [];
     const strokes = strokesNow();
-    if (stroke.length < 2 || strokes.length === kinematicsLimits.hand.strokes) return;
+    const most = kinematicsLimits.hand;
+    if (stroke.length > 0 && (strokes.length === most.strokes || pointsOf(strokes) + stroke.length >= most.points))
+      notify('info', 'page.errors.drawnAll', most);
+    if (stroke.length < 2 || strokes.length === most.strokes) return;
     this.actions.setKinematics({ mode: 'draw', curve: { kind: 'hand', strokes: [...strokes, stroke] } });
   }
 
@@ -87,8 +91,12 @@ export function extended(stroke: Stroke, [x, y]: Point2, others: readonly Stroke
   if (last && Math.hypot(point[0] - last[0], point[1] - last[1]) < apart) return stroke;
   const { min, max } = kinematicsLimits.coordinate;
   if (point.some((value) => value < min || value > max)) return stroke;
-  const count = others.reduce((sum, { length }) => sum + length, stroke.length);
-  return count < kinematicsLimits.hand.points ? [...stroke, point] : stroke;
+  return pointsOf(others) + stroke.length < kinematicsLimits.hand.points ? [...stroke, point] : stroke;
+}
+
+/** How many. */
+function pointsOf(strokes: readonly Stroke[]): number {
+  return strokes.reduce((sum, { length }) => sum + length, 0);
 }
 
 function millimetres(metres: number): number {

@@ -260,6 +260,8 @@ export const page = {
     unexpected: 'The page could not start: {{reason}}.',
     noWebGL:
       'This page draws with WebGL 2, which this browser or computer does not offer. Switching on hardware acceleration in the browser’s settings usually helps.',
+    drawnAll:
+      'The pen has drawn all that a link can carry, {{strokes}} strokes or {{points}} points. Clear them to draw anew.',
     contextLost:
       'The graphics card dropped the drawing. The simulation is unharmed; reload the page if the picture does not come back.',
     noWebAssembly:

@@ -247,6 +247,7 @@ export const page = {
     noScene: '无法打开任何场景。请重新载入本页；若仍无效，网站文件可能不完整。',
     unexpected: '本页未能启动：{{reason}}。',
     noWebGL: '本页用 WebGL 2 绘图，而此浏览器或电脑不支持。在浏览器设置中打开硬件加速通常可以解决。',
+    drawnAll: '手绘内容已达到链接所能保存的上限：{{strokes}} 笔或 {{points}} 个点。请先清除，再重新绘制。',
     contextLost: '显卡中断了绘图，模拟不受影响。如果画面没有恢复，请重新载入本页。',
     noWebAssembly:
       '求解器是 WebAssembly 程序，此浏览器无法运行。2021 年以后的浏览器都可以（需支持 SIMD 的 WebAssembly）。',

@@ -2,7 +2,6 @@ import { useComputed } from '@preact/signals';
 import type { Drawing } from '../../../app/kinematics_drawing.ts';
 import type { KinematicsSession } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
-import { state } from '../../../app/state.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatLength } from '../../../lib/format.ts';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
@@ -21,8 +20,8 @@ export function DrawingErrors({ session, drawing }: { session: KinematicsSession
     const place = session.place.value;
     return 1 + (session.playing.value ? place - (place % jump) : place);
   });
+  const { epsilon } = drawing;
   const { errors, iterations } = drawing.followed;
-  const { epsilon } = state.value.kinematics;
   const worst = errors.reduce((most, error) => Math.max(most, error), 0);
   const said = {
     worst: formatLength(worst),
