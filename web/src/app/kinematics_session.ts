@@ -1,7 +1,7 @@
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import { curveFrom } from '../curves/curve_from.ts';
 import { sampleCurve } from '../curves/sample_curve.ts';
-import type { Followed } from '../solver/follow_targets.ts';
+import { type Followed, toFirst } from '../solver/follow_targets.ts';
 import type { IkAnswer, IkTask } from '../solver/inverse_kinematics.ts';
 import type { KinematicsService } from '../solver/kinematics_service.ts';
 import type { Outcome } from '../solver/protocol.ts';
@@ -137,7 +137,7 @@ export class KinematicsSession {
     if (!drawing || !accepted) return;
     const { value: place } = this.place;
     const task = { ...taskOf(accepted), target: drawing.targets.slice(3 * place, 3 * place + 3) };
-    await this.reach(place === 0 ? task : { ...task, start_q: poseAt(drawing.followed, place - 1).q });
+    await this.reach(place === 0 ? toFirst(task) : { ...task, start_q: poseAt(drawing.followed, place - 1).q });
   }
 
   private drawWhilePlaying(): () => void {

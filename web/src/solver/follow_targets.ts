@@ -17,6 +17,11 @@ export interface Followed {
 /** Without the events, which for a long curve would fill the memory. */
 type Answered = Pick<IkAnswer, 'x' | 'q' | 'error' | 'iterations' | 'outcome'>;
 
+/** To the first of several targets the arm goes as it likes: a turn limit holds between targets. */
+export function toFirst(task: IkTask): IkTask {
+  return { ...task, turn_limit: Math.PI };
+}
+
 /** One target after the other, each from the pose that the one before has left; `targets` #T×3, m. The first one that is refused refuses all. */
 export function followTargets(
   solver: Pick<SolverModule, 'inverse_kinematics'>,
@@ -26,10 +31,9 @@ export function followTargets(
   const answers: Answered[] = [];
   for (let i = 0; i < targets.length / 3; i++) {
     const before = answers.at(-1);
-    const start = before ? { start: new Float64Array(), start_q: before.q } : {};
+    const from = before ? { ...task, start: new Float64Array(), start_q: before.q } : toFirst(task);
     const { status, answer } = solver.inverse_kinematics({
-      ...task,
-      ...start,
+      ...from,
       target: targets.subarray(3 * i, 3 * i + 3),
     });
     if (status.code !== 'ok') return { ok: false, status };

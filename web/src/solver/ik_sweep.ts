@@ -1,3 +1,4 @@
+import { toFirst } from './follow_targets.ts';
 import { largestTurn } from './ik_turns.ts';
 import type { IkAnswer, IkOutcome, IkTask } from './inverse_kinematics.ts';
 import type { SolverModule } from './module.ts';
@@ -35,9 +36,8 @@ export function sweep(
   for (let at = 0; at < targets.length / 3; at++) {
     const before = answers.at(-1);
     const { status, answer } = solver.inverse_kinematics({
-      ...task,
+      ...(before ? task : toFirst(task)),
       ...startOf(start, task, before, random),
-      turn_limit: before ? task.turn_limit : Math.PI,
       target: targets.subarray(3 * at, 3 * at + 3),
     });
     if (status.code !== 'ok') return { ok: false, status };
