@@ -115,6 +115,17 @@ describe.each(ikMethods)('%s', (method) => {
     expect(solve(task([0, 1, 0], { method })).outcome).toBe('CONVERGED');
   });
 
+  test('stalls where rounding keeps it from the target, however short the arm and far its root', () => {
+    // Of 10⁶ m a double knows 10⁻¹⁰ m, so that ε = 10⁻¹² m is met by luck only.
+    const root = Float64Array.of(1e6, 1e6, 1e6);
+    const target = [1e6 + 0.0123456, 1e6, 1e6 + 0.01];
+    const { outcome, iterations } = solve(
+      task(target, { method, root, epsilon: 1e-12, iterations: 1000 }, [0.01, 0.01]),
+    );
+    expect(outcome === 'CONVERGED' || outcome === 'STALLED').toBe(true);
+    expect(iterations).toBeLessThan(200);
+  });
+
   test('has nothing to do where it starts on the target', () => {
     const { outcome, iterations, errors } = solve(task([0, -0.9, 0], { method }));
     expect([outcome, iterations, errors.length]).toEqual(['CONVERGED', 0, 0]);

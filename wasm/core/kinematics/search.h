@@ -71,8 +71,9 @@ Solution<Scalar> search(const Chain<Scalar>& chain, const Pose<Scalar>& start,
     solution.events.push_back({0, Kind::straight, -1, pose.x, pose.q});
     return ended(Outcome::unreachable);
   }
-  // Of the chain's length: what rounding moves a joint by.
-  const Scalar resolution = 4 * std::numeric_limits<Scalar>::epsilon() * reach(chain);
+  // Of the largest coordinate that a joint can have: what rounding moves it by.
+  const Scalar resolution =
+      4 * std::numeric_limits<Scalar>::epsilon() * (chain.root.norm() + reach(chain));
   bool bent = false;
   while (error() > settings.epsilon) {
     if (solution.iterations == settings.iterations) return ended(Outcome::max_iterations);
