@@ -44,7 +44,7 @@ export function KinematicsLab({ actions }: { actions: Actions }) {
         <p class="kinematics-intro">{words.intro}</p>
       </header>
       <div class="kinematics-stage">
-        <div class="kinematics-arm">
+        <div class="kinematics-arm" id="transport" tabIndex={-1}>
           <Arm session={session} actions={actions} pen={pen} />
           <Result session={session} />
           {drawing && <DrawingTransport session={session} drawing={drawing} />}
