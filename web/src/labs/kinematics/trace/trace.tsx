@@ -51,7 +51,7 @@ export function Trace({ session }: { session: KinematicsSession }) {
         aria-valuetext={text}
         onInput={({ currentTarget }) => session.seek(currentTarget.valueAsNumber)}
       />
-      <output class="trace-place" data-testid="moment">
+      <output class="trace-place" aria-live={session.playing.value ? 'off' : 'polite'} data-testid="moment">
         {text}
       </output>
       <button type="button" title={words.hangHint} onClick={() => void session.hang()}>
