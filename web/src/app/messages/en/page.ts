@@ -228,7 +228,7 @@ export const page = {
       target: 'drag the target: the arm reaches for it',
       targetArrows: 'on the focused target: move it (with Shift ten times as far; PgUp, PgDn: away and towards you)',
       play: 'draw, or pause',
-      events: 'back, forward: one joint (CCD), one pass (FABRIK)',
+      events: 'back, forward: one joint (CCD), one pass (FABRIK), one iteration (least squares)',
       hang: 'look for the target again, from the hanging arm',
     },
     lesson: {

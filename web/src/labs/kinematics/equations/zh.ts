@@ -77,7 +77,7 @@ export const zh: Catalogue<typeof en> = {
     curve: '距离',
     tolerance: '容差 ε',
     iteration: '迭代次数',
-    label: '末端执行器到目标点的距离/mm',
+    label: '末端执行器到目标点的距离，mm',
     summary: '末端执行器到目标点的距离：经 {{iterations}} 次迭代，从 {{before}} 减小到 {{after}}',
   },
 };
