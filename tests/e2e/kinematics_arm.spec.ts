@@ -125,6 +125,37 @@ test('keys draw on the floor', async ({ page }) => {
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
 });
 
+test('clearing the drawing leaves the keyboard where it is', async ({ page }) => {
+  await open(
+    page,
+    lab({
+      mode: 'draw',
+      curve: {
+        kind: 'hand',
+        strokes: [
+          [
+            [0, 0],
+            [0.3, 0],
+          ],
+        ],
+      },
+    }),
+  );
+  await page.getByRole('button', { name: en.draw }).click();
+  const clear = page.getByRole('button', { name: en.clear });
+  await clear.press('Enter');
+  await expect(arm(page)).toHaveAttribute('data-strokes', '0');
+  await expect(clear).toBeDisabled();
+  await expect(clear).toBeFocused();
+});
+
+test('the header is skipped, and the target comes next', async ({ page }) => {
+  await open(page, lab());
+  await page.getByRole('button', { name: 'Skip to the transport' }).press('Enter');
+  await page.keyboard.press('Tab');
+  await expect(target(page)).toBeFocused();
+});
+
 test('a joint under the mouse is lit in the picture, and its number with it', async ({ page }) => {
   await open(page, lab());
   const { x, y } = await middleOf(page.locator('.arm-joint').nth(1));

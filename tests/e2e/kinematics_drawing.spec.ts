@@ -87,6 +87,36 @@ test('drawing by hand takes the pen, any other curve puts it away', async ({ pag
   await expect(controls(page)).toHaveAttribute('data-curve', 'circle');
 });
 
+test('on a phone, the floor comes into sight with the pen', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, lab());
+  await kind(page, 'By hand').click();
+  await expect(page.locator('.arm-canvas')).toBeInViewport({ ratio: 0.99 });
+});
+
+test('while the arm draws, nobody is told of every search, and the slider stays where it is', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, lab({ curve: { kind: 'letters', text: 'Hello' }, points: 150 }));
+  const moment = page.getByTestId('moment');
+  const slider = page.getByRole('slider', { name: 'Target of the drawing' });
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+  await expect(moment).toHaveAttribute('aria-live', 'off');
+  const before = await slider.boundingBox();
+  await expectDrawn(page);
+  await expect(moment).toHaveAttribute('aria-live', 'polite');
+  expect(await slider.boundingBox()).toEqual(before);
+});
+
+test('taking away the last link leaves the keyboard at the one before', async ({ page }) => {
+  await open(page, lab());
+  const remove = page.getByRole('button', { name: /^Remove the link/ });
+  if (!(await remove.first().isVisible())) await page.getByText('Settings', { exact: true }).click();
+  await expect(remove).toHaveCount(4);
+  await remove.nth(3).press('Enter');
+  await expect(remove).toHaveCount(3);
+  await expect(remove.nth(2)).toBeFocused();
+});
+
 test('the three samplings are compared in numbers, and the arm takes the chosen one', async ({ page }) => {
   await open(page, lab({ curve: { kind: 'circle' }, points: 30 }));
   const cards = page.locator('.spread');

@@ -76,6 +76,9 @@ export function Arm({ session, actions, pen }: Props) {
     };
   }, [aim, pen, shown, pictures]);
   useSignalEffect(() => {
+    if (pen.on.value) canvas.current?.scrollIntoView({ block: 'nearest' }); // it may be taken from further down the page
+  });
+  useSignalEffect(() => {
     const { value: now } = picture;
     if (now) shown.value?.show(now);
   });

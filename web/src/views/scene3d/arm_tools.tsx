@@ -17,6 +17,7 @@ interface Props {
 function FloorPenButtons({ pen, toggle }: Pick<Props, 'pen' | 'toggle'>) {
   const words = inLanguage({ en, zh });
   const on = pen.on.value;
+  const blank = strokesNow().length === 0;
   return (
     <>
       <button
@@ -29,7 +30,7 @@ function FloorPenButtons({ pen, toggle }: Pick<Props, 'pen' | 'toggle'>) {
         {words.draw}
       </button>
       {on && (
-        <button type="button" disabled={strokesNow().length === 0} onClick={() => pen.clear()}>
+        <button type="button" aria-disabled={blank} onClick={blank ? undefined : () => pen.clear()}>
           {words.clear}
         </button>
       )}

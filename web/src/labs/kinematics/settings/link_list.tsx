@@ -16,6 +16,11 @@ export function LinkList({ actions }: { actions: Actions }) {
   const { min: fewest, max: most } = kinematicsLimits.links;
   const change = (at: number, part: Partial<Link>) =>
     actions.setKinematics({ links: links.map((link, other) => (other === at ? { ...link, ...part } : link)) });
+  const remove = (at: number, button: HTMLElement) => {
+    // The last row goes, and the keyboard must not go with it.
+    if (at === links.length - 1) button.closest('li')?.previousElementSibling?.querySelector('button')?.focus();
+    actions.setKinematics({ links: links.filter((_, other) => other !== at) });
+  };
   return (
     <div class="link-list">
       <p class="link-heads" aria-hidden="true">
@@ -53,8 +58,8 @@ export function LinkList({ actions }: { actions: Actions }) {
               class="quiet"
               aria-label={fillTemplate(words.remove, { from: at, to: at + 1 })}
               title={fillTemplate(words.remove, { from: at, to: at + 1 })}
-              disabled={links.length === fewest}
-              onClick={() => actions.setKinematics({ links: links.filter((_, other) => other !== at) })}
+              aria-disabled={links.length === fewest}
+              onClick={({ currentTarget }) => links.length > fewest && remove(at, currentTarget)}
             >
               <Icon name="close" />
             </button>
@@ -64,8 +69,10 @@ export function LinkList({ actions }: { actions: Actions }) {
       <p class="settings-note">{words.bendHint}</p>
       <button
         type="button"
-        disabled={links.length === most}
-        onClick={() => actions.setKinematics({ links: [...links, { length: newLength, bend: null }] })}
+        aria-disabled={links.length === most}
+        onClick={() =>
+          links.length < most && actions.setKinematics({ links: [...links, { length: newLength, bend: null }] })
+        }
       >
         {words.add}
       </button>
