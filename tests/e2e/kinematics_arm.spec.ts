@@ -46,6 +46,18 @@ test('the mouse drags the target, and far away it is out of reach', async ({ pag
   await expect(target(page)).toHaveAccessibleName(/Out of reach: the arm ends .* mm short of it/);
 });
 
+for (const width of [1280, 390])
+  test(`nothing moves on the page as the target goes out of reach (${width} px)`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await open(page, lab());
+    await expect(target(page)).toHaveAccessibleName(/Reached/);
+    const before = await page.locator('.trace').boundingBox();
+    await target(page).focus();
+    for (let press = 0; press < 30; press++) await page.keyboard.press('Shift+ArrowRight');
+    await expect(page.locator('.arm-result')).toHaveAttribute('data-outcome', 'UNREACHABLE');
+    expect(await page.locator('.trace').boundingBox()).toEqual(before);
+  });
+
 test('its shadow moves it level with the floor', async ({ page }) => {
   await open(page, lab({ target: [0, 1, 0] }));
   await expect(target(page)).toHaveAccessibleName(/Reached/);
