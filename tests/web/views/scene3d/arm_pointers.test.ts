@@ -98,6 +98,15 @@ describe('a drag', () => {
   });
 });
 
+describe('the pen', () => {
+  it('draws where the target or its shadow stands too', () => {
+    callbacks.mayDraw.mockReturnValue(true);
+    for (const place of [picture.target, [picture.target[0], 0, picture.target[2]]]) drag(placeOf(place), 30, 0);
+    expect(callbacks.onPenUp).toHaveBeenCalledTimes(2);
+    expect(callbacks.onTarget).not.toHaveBeenCalled();
+  });
+});
+
 describe('a mouse that rests', () => {
   it('on a joint points at it, but the target comes first', () => {
     canvas.send('pointermove', ...placeOf([0, 1, 0]));

@@ -19,7 +19,7 @@ export interface ArmPointerCallbacks {
   onTarget(target: Point3): void;
   /** A mouse rests on a joint, or no longer does. */
   onJoint(joint: number | null): void;
-  /** Whether presses beside the target draw on the floor. */
+  /** Whether presses draw on the floor, and so do not move the target: what was drawn would be given up for it. */
   mayDraw(): boolean;
   onPen(place: Point3): void;
   onPenUp(): void;
@@ -126,8 +126,9 @@ export class ArmPointers {
     this.canvas.style.cursor = part ? 'grab' : joint !== null ? 'pointer' : this.callbacks.mayDraw() ? 'crosshair' : '';
   }
 
-  /** Where both are under the pointer, the target: it can be lifted off the floor again. */
+  /** Where both are under the pointer, the target: it can be lifted off the floor again. Neither while the pen is in hand. */
   private targetPartAt(x: number, y: number, pointerType: string): 'target' | 'shadow' | null {
+    if (this.callbacks.mayDraw()) return null;
     const target = this.arm.eye()?.picture.target;
     if (!target) return null;
     const parts = Float64Array.of(...target, target[0], 0, target[2]);

@@ -225,7 +225,7 @@ export const page = {
       instant: 'the same instant by all methods',
     },
     kinematics: {
-      target: 'drag the target: the arm reaches for it',
+      target: 'drag the target: the arm reaches for it · its shadow: level with the floor',
       targetArrows: 'on the focused target: move it (with Shift ten times as far; PgUp, PgDn: away and towards you)',
       play: 'draw, or pause',
       events: 'back, forward: one joint (CCD), one pass (FABRIK), one iteration (least squares)',

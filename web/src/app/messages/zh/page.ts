@@ -213,7 +213,7 @@ export const page = {
       instant: '让所有方法走同一时间步',
     },
     kinematics: {
-      target: '拖动目标点：机械臂随之去够它',
+      target: '拖动目标点：机械臂随之去够它 · 拖动它的投影：在水平面内移动',
       targetArrows: '目标点获得焦点时：移动它（按住 Shift 移动十倍；PgUp、PgDn：远离或靠近屏幕前的你）',
       play: '开始画或暂停',
       events: '后退、前进：CCD 为一个关节，FABRIK 为一趟，最小二乘为一次迭代',
