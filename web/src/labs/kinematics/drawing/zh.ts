@@ -5,7 +5,7 @@ export const zh: typeof en = {
   kinds: {
     circle: '圆',
     square: '正方形',
-    heart: '心形线',
+    heart: '心形',
     triangle: '三角形',
     star: '五角星',
     letters: '字母',
