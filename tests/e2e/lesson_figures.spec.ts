@@ -112,7 +112,8 @@ test('nets under one clock go back to the beginning', async ({ page }) => {
     const experiment = page.locator('.side-by-side');
     await experiment.scrollIntoViewIfNeeded();
     const readings = experiment.locator('.side-by-side-reading');
-    await expect(experiment.locator('svg .coil').first()).toBeVisible();
+    for (const net of await experiment.locator('.spring-picture').all())
+      await expect(net.locator('.coil').first()).toBeVisible();
     const [said, drawn] = [await readings.allTextContents(), await springs(experiment)];
     await changing(experiment, () => button(experiment, 'Play').click());
     await expect.poll(() => readings.allTextContents()).not.toEqual(said);
