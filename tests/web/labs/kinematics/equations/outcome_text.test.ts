@@ -21,6 +21,8 @@ test('a target too near is told from one too far: links 0.3, 2, 0.5 keep 2 − 0
 });
 
 test('limits are named where they hold the arm, and single precision where it does', () => {
-  expect(outcomeText(armSearch({ turn: 2 }))).toMatch(/^Held by its limits/);
+  expect(outcomeText(armSearch({ turn: 2 }))).toMatch(/^Held back: for one target/);
+  const links = presets.lab.map((link) => ({ ...link, bend: 5 }));
+  expect(outcomeText(armSearch({ links, turn: 2 }))).toMatch(/^Held by its limits/);
   expect(outcomeText(armSearch({ precision: 'single', epsilon: 1e-9 }))).toContain('single precision rounds');
 });

@@ -61,6 +61,7 @@ export const en = {
   outcomes: {
     converged: 'Converged: the end effector is within ε of the target.',
     held: 'Held by its limits: no joint may turn any further towards the target.',
+    slowed: 'Held back: for one target the joints have turned as far as they may.',
     stalled: 'Stalled: nothing moves any more, although the target is within reach.',
     rounded: 'Stalled: single precision rounds the angles that are left to none, so nothing moves any more.',
     tooFar: 'Out of reach: the target is {{distance}} from the root, and the arm is {{farthest}} long.',

@@ -13,7 +13,8 @@ export function outcomeText({ task, answer }: Search): string {
     case 'CONVERGED':
       return outcomes.converged;
     case 'STALLED':
-      if (task.bend_limits.length > 0 || task.turn_limit < Math.PI) return outcomes.held;
+      if (task.bend_limits.length > 0) return outcomes.held;
+      if (task.turn_limit < Math.PI) return outcomes.slowed;
       return task.precision === 'single' ? outcomes.rounded : outcomes.stalled;
     case 'UNREACHABLE': {
       const lengths = Array.from({ length: task.offsets.length / 3 }, (_, i) => norm(row(task.offsets, i)));

@@ -61,6 +61,7 @@ export const zh: Catalogue<typeof en> = {
   outcomes: {
     converged: '已收敛：末端执行器与目标点的距离不超过 ε。',
     held: '受限位约束：没有关节能再向目标点转动。',
+    slowed: '受转角限制：对这一个目标点，各关节已转到允许的最大角度。',
     stalled: '停滞：虽然目标点可以到达，但各关节都不再移动。',
     rounded: '停滞：单精度把剩余的小转角舍入为零，各关节都不再移动。',
     tooFar: '无法到达：目标点距根关节 {{distance}}，而机械臂全长只有 {{farthest}}。',
