@@ -1,3 +1,4 @@
+import { sameJson } from '../lib/same_json.ts';
 import type { Scene } from '../scene/scene.ts';
 import type { Checkpoint } from '../solver/protocol.ts';
 import { compareNewton } from './comparison.ts';
@@ -165,13 +166,13 @@ export class Actions {
   /** What the integrators lab compares; one equal to what it compares already changes nothing. */
   setIntegrators(change: Partial<IntegratorsSettings>): void {
     const integrators = { ...state.value.integrators, ...change };
-    if (JSON.stringify(integrators) !== JSON.stringify(state.value.integrators)) this.change({ integrators });
+    if (!sameJson(integrators, state.value.integrators)) this.change({ integrators });
   }
 
   /** What the kinematics lab shows, likewise. */
   setKinematics(change: Partial<KinematicsSettings>): void {
     const kinematics = { ...state.value.kinematics, ...change };
-    if (JSON.stringify(kinematics) !== JSON.stringify(state.value.kinematics)) this.change({ kinematics });
+    if (!sameJson(kinematics, state.value.kinematics)) this.change({ kinematics });
   }
 
   async copyLink(): Promise<void> {

@@ -1,5 +1,6 @@
 import { SolverCrash } from '../solver/client.ts';
 import type { Status } from '../solver/module.ts';
+import type { Outcome } from '../solver/protocol.ts';
 import type { MessageKey } from './messages/index.ts';
 import { notify } from './notices.ts';
 import { Obstacle } from './obstacle.ts';
@@ -34,4 +35,10 @@ export function notifyOf(reason: unknown): void {
 export function notifyRefusal(status: Status): void {
   const { key, params } = explanationOfRefusal(status);
   notify('error', key, params);
+}
+
+/** Whether the solver has done it; says why, where it has refused. */
+export function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
+  if (!outcome.ok) notifyRefusal(outcome.status);
+  return outcome.ok;
 }

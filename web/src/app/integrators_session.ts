@@ -1,4 +1,5 @@
 import { computed, effect, untracked } from '@preact/signals';
+import { sameJson } from '../lib/same_json.ts';
 import type { Scene } from '../scene/scene.ts';
 import { defaultIntegrators, type IntegratorsSettings, variantsOn } from './integrators.ts';
 import { findScene, openedScenes } from './scene_library.ts';
@@ -57,7 +58,7 @@ export class IntegratorsSession {
 
   private async change(scene: Scene, before: IntegratorsSettings, wanted: IntegratorsSettings): Promise<boolean> {
     const variants = variantsOn(scene, wanted);
-    if (JSON.stringify(variants) === JSON.stringify(variantsOn(scene, before))) return true; // the pointer's settings
+    if (sameJson(variants, variantsOn(scene, before))) return true; // the pointer's settings
     return this.run.change(variants);
   }
 

@@ -1,12 +1,13 @@
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import { curveFrom } from '../curves/curve_from.ts';
 import { sampleCurve } from '../curves/sample_curve.ts';
+import { sameJson } from '../lib/same_json.ts';
 import { type Followed, toFirst } from '../solver/follow_targets.ts';
 import type { IkAnswer, IkTask } from '../solver/inverse_kinematics.ts';
 import type { KinematicsService } from '../solver/kinematics_service.ts';
 import type { Outcome } from '../solver/protocol.ts';
 import { Crew } from './crew.ts';
-import { notifyRefusal } from './explanation.ts';
+import { isTaken } from './explanation.ts';
 import { defaultKinematics, type KinematicsSettings, taskOf } from './kinematics.ts';
 import { type Drawing, drawingTargets } from './kinematics_drawing.ts';
 import { notify } from './notices.ts';
@@ -179,7 +180,7 @@ export class KinematicsSession {
 
   private async draw(wanted: KinematicsSettings): Promise<boolean> {
     const { accepted } = this;
-    if (accepted && this.drawing.value && isSame({ ...accepted, target: wanted.target }, wanted)) return true;
+    if (accepted && this.drawing.value && sameJson({ ...accepted, target: wanted.target }, wanted)) return true;
     const made = curveFrom(wanted.curve);
     if (!made.ok) {
       notify('error', 'page.errors.curve', { field: made.problem.field, column: made.problem.column });
@@ -190,7 +191,7 @@ export class KinematicsSession {
       service.follow(taskOf(wanted), drawn.targets),
     );
     if (!outcome || !isTaken(outcome)) return false;
-    const another = !accepted || accepted.mode === 'aim' || !isSame(accepted.curve, wanted.curve);
+    const another = !accepted || accepted.mode === 'aim' || !sameJson(accepted.curve, wanted.curve);
     const last = drawn.strokes.length - 1;
     batch(() => {
       this.drawing.value = { ...drawn, followed: outcome.value, epsilon: wanted.epsilon };
@@ -205,7 +206,7 @@ export class KinematicsSession {
 
   private async aim(wanted: KinematicsSettings): Promise<boolean> {
     const task = taskOf(wanted);
-    if (this.accepted?.mode === 'aim' && isSame(taskOf(this.accepted), task)) return true;
+    if (this.accepted?.mode === 'aim' && sameJson(taskOf(this.accepted), task)) return true;
     const start_q = this.startFor(wanted);
     const { value: drawing } = this.drawing;
     this.playing.value = false;
@@ -219,8 +220,8 @@ export class KinematicsSession {
   private startFor(wanted: KinematicsSettings): Float64Array {
     const { accepted } = this;
     const { value: search } = this.search;
-    if (!accepted || !search || !isSame(chainOf(accepted), chainOf(wanted))) return new Float64Array();
-    if (accepted.mode === 'aim' && isSame(accepted.target, wanted.target)) return search.answer.start_q;
+    if (!accepted || !search || !sameJson(chainOf(accepted), chainOf(wanted))) return new Float64Array();
+    if (accepted.mode === 'aim' && sameJson(accepted.target, wanted.target)) return search.answer.start_q;
     const { value: drawn } = this.pose;
     return this.playing.value && drawn ? drawn.q : search.answer.q;
   }
@@ -252,18 +253,8 @@ const legible_ms = 200;
 /** ms: how long the arm stays at a target. */
 const target_ms = 1000 / 30;
 
-/** Says why, where the solver has refused. */
-function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
-  if (!outcome.ok) notifyRefusal(outcome.status);
-  return outcome.ok;
-}
-
 function chainOf({ links, root }: KinematicsSettings) {
   return { lengths: links.map(({ length }) => length), root };
-}
-
-function isSame(a: unknown, b: unknown): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }
 
 function kinematicsWorker(): Worker {

@@ -1,3 +1,4 @@
+import { sameJson } from '../lib/same_json.ts';
 import { pathOf, type Route, readPath, springsRoute } from './route.ts';
 import { stateSchema } from './schema.ts';
 import { type AppState, defaultState } from './state.ts';
@@ -24,7 +25,7 @@ const alwaysNamed: readonly (keyof AppState)[] = ['version', 'scene', 'integrato
 /** The address's fragment for a page and a state: every part that is not the default, as JSON. */
 export function encodeLink(route: Route, state: AppState): string {
   const query = partsOf[route.page]
-    .filter((part) => alwaysNamed.includes(part) || !same(state[part], defaultState[part]))
+    .filter((part) => alwaysNamed.includes(part) || !sameJson(state[part], defaultState[part]))
     .map((part) => `${part}=${escapePart(JSON.stringify(state[part]))}`);
   return `${pathOf(route)}?${query.join('&')}`;
 }
@@ -78,8 +79,4 @@ function readable(text: string): string {
 /** Escapes only what a fragment cannot carry, so that links stay readable. */
 function escapePart(json: string): string {
   return json.replace(/[%&#+\s"<>`^|\\]|[^\x20-\x7e]/gu, encodeURIComponent);
-}
-
-function same(a: unknown, b: unknown): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }

@@ -12,7 +12,7 @@ import type {
 } from '../solver/side_by_side.ts';
 import { Clock } from './clock.ts';
 import { Crew } from './crew.ts';
-import { notifyRefusal } from './explanation.ts';
+import { isTaken } from './explanation.ts';
 import { type DistanceSample, type EnergySample, SideBySideRecord } from './side_by_side_record.ts';
 
 /** What all variants have in common. */
@@ -240,12 +240,6 @@ export class SideBySide {
       this.distances.value = this.record.distances.map((curve) => curve.slice());
     });
   }
-}
-
-/** Says why, where the solver has refused. */
-function isTaken<T>(outcome: Outcome<T>): outcome is { ok: true; value: T } {
-  if (!outcome.ok) notifyRefusal(outcome.status);
-  return outcome.ok;
 }
 
 function sideBySideWorker(): Worker {

@@ -1,3 +1,4 @@
+import { sameJson } from '../lib/same_json.ts';
 import { ExactStep, type StepError } from './exact_step.ts';
 import type { MechanicalEnergy, SolverModule, Status } from './module.ts';
 import type { Checkpoint, Outcome, Pins, Problem, Pull } from './protocol.ts';
@@ -157,7 +158,7 @@ export class SideBySideSession {
       return before;
     };
     const find = (fits: (before: number) => boolean) => take([...left].find(fits));
-    const equals = variants.map((variant) => find((before) => same(this.runners[before].variant, variant)));
+    const equals = variants.map((variant) => find((before) => sameJson(this.runners[before].variant, variant)));
     return variants.map((variant, at) => equals[at] ?? find((before) => this.runners[before].fits(variant)));
   }
 
@@ -165,10 +166,6 @@ export class SideBySideSession {
     const status = runner.open(this.problem as Problem, this.pins); // open: there is a motion
     return status.code === 'ok' ? runner.move(motion, this.next) : status;
   }
-}
-
-function same(a: Variant, b: Variant): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }
 
 function refused(status: Status, made: readonly VariantRunner[]): { ok: false; status: Status } {

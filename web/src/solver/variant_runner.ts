@@ -1,3 +1,4 @@
+import { sameJson } from '../lib/same_json.ts';
 import type { Mistake, MistakenSimulation } from './mistaken_simulation.ts';
 import type { MechanicalEnergy, Parameters, Simulation, SolverModule, Status } from './module.ts';
 import type { Checkpoint, Pins, Problem, Pull } from './protocol.ts';
@@ -71,7 +72,7 @@ export class VariantRunner {
 
   /** Other settings; the motion goes on. Refused: all is as before. `step`: the number of the time step that comes next. */
   change(variant: Variant, step: number): Status {
-    if (JSON.stringify(variant) === JSON.stringify(this.variant)) return ok;
+    if (sameJson(variant, this.variant)) return ok;
     const motion = this.motion();
     const before = this.variant;
     const status = this.set(variant, motion, step);

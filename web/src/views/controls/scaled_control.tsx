@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { Icon } from '../../lib/icon.tsx';
+import { RangeInput } from '../../lib/range_input.tsx';
 import type { SymbolId } from '../../notation/symbols.ts';
 import { NumberField, showNumber } from './number_field.tsx';
 import './controls.css';
@@ -48,16 +49,14 @@ export function ScaledControl(props: Props) {
         {name}
         {unused && <UnusedNote>{unused}</UnusedNote>}
       </label>
-      <input
-        type="range"
+      <RangeInput
         min={0}
         max={ticks}
         value={tick}
-        style={{ '--filled': `${(100 * tick) / ticks}%` }}
         aria-label={name}
         aria-valuetext={unused ? `${text}, ${unused}` : text}
-        onInput={(event) => {
-          const next = fromTick(event.currentTarget.valueAsNumber, reach);
+        onValue={(place) => {
+          const next = fromTick(place, reach);
           onSet(whole ? Math.round(next) : round(next));
         }}
       />

@@ -1,4 +1,5 @@
 import { inLanguage } from '../../app/messages/in_language.ts';
+import { RangeInput } from '../../lib/range_input.tsx';
 import { en } from './en.ts';
 import { zh } from './zh.ts';
 import './stepper.css';
@@ -21,15 +22,7 @@ export function Stepper({ label, step, last, onStep }: Props) {
       <StepButton icon="reset" label={words.first} off={step === 0} onClick={() => onStep(0)} />
       <StepButton icon="previousStep" label={words.back} off={step === 0} onClick={() => onStep(step - 1)} />
       <StepButton icon="nextStep" label={words.forward} off={step === last} onClick={() => onStep(step + 1)} />
-      <input
-        type="range"
-        min={0}
-        max={last}
-        value={step}
-        style={{ '--filled': `${(100 * step) / Math.max(1, last)}%` }}
-        aria-label={label}
-        onInput={(event) => onStep(event.currentTarget.valueAsNumber)}
-      />
+      <RangeInput min={0} max={last} value={step} aria-label={label} onValue={onStep} />
       <output class="stepper-place">
         {step} / {last}
       </output>

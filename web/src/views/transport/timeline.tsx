@@ -2,6 +2,7 @@ import { useRef } from 'preact/hooks';
 import type { Actions } from '../../app/actions.ts';
 import { t } from '../../app/messages/index.ts';
 import { furthestStep, playing } from '../../app/state.ts';
+import { RangeInput } from '../../lib/range_input.tsx';
 import { steps125 } from '../../lib/steps_125.ts';
 import { useWidth } from '../../lib/use_width.ts';
 import type { Frame } from '../../solver/frame.ts';
@@ -30,30 +31,26 @@ export function Timeline({ frame: f, actions, large = false }: Props) {
   return (
     <div ref={host} class={large ? 'timeline timeline-large' : 'timeline'}>
       {large && <Ticks first={first} last={last} here={f.step} width={width} />}
-      <input
-        type="range"
+      <RangeInput
         class="timeline-steps"
         min={first}
         max={last}
         value={f.step}
         disabled={first === last}
-        style={{ '--filled': `${100 * stands}%` }}
         aria-label={t('page.timeline.steps')}
         title={t('page.timeline.steps')}
         aria-valuetext={t('page.timeline.step', { step: f.step, first, last })}
-        onInput={(event) => actions.goToStep(event.currentTarget.valueAsNumber)}
+        onValue={(value) => actions.goToStep(value)}
       />
       {width > 0 && <Unfolded frame={f} from={inset + stands * (width - 2 * inset)} width={width} large={large} />}
-      <input
-        type="range"
+      <RangeInput
         class="timeline-half-steps"
         min={0}
         max={f.last_half_step}
         value={f.half_step}
-        style={{ '--filled': `${(100 * f.half_step) / f.last_half_step}%` }}
         aria-label={t('page.transport.scrubber')}
         aria-valuetext={statusText(f)}
-        onInput={(event) => actions.seek(event.currentTarget.valueAsNumber)}
+        onValue={(value) => actions.seek(value)}
       />
       <div class="timeline-ends" aria-hidden="true">
         <span>{t('page.phase.predict')}</span>

@@ -2,6 +2,7 @@ import { useId, useState } from 'preact/hooks';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { formatFixed, formatNumber } from '../../../lib/format.ts';
+import { RangeInput } from '../../../lib/range_input.tsx';
 import { type EnergyRatios, energyMethods, shownPeriods } from '../../../solver/energy_of_one_spring.ts';
 import { LineChart } from '../../../views/charts/line_chart.tsx';
 import { en } from './en.ts';
@@ -22,15 +23,13 @@ export function OneSpringEnergy({ energies }: { energies: readonly EnergyRatios[
     <>
       <div class="order-product" style={{ '--limit': limitPlace }}>
         <label for={slider}>{words.product}</label>
-        <input
+        <RangeInput
           id={slider}
-          type="range"
           min={0}
           max={last}
           value={place}
-          style={{ '--filled': `${(100 * place) / last}%` }}
           aria-valuetext={fillTemplate(words.productText, { product: formatFixed(product, 2) })}
-          onInput={(event) => setPlace(event.currentTarget.valueAsNumber)}
+          onValue={setPlace}
         />
         <output for={slider}>{formatFixed(product, 2)}</output>
         <span class="order-limit">{words.limit}</span>

@@ -3,6 +3,7 @@ import type { KinematicsSession } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { fillTemplate } from '../../../lib/fill_template.ts';
 import { Icon } from '../../../lib/icon.tsx';
+import { RangeInput } from '../../../lib/range_input.tsx';
 import { StepButton } from '../../../views/stepper/step_button.tsx';
 import '../../../views/stepper/stepper.css';
 import { en } from './en.ts';
@@ -30,15 +31,7 @@ export function DrawingTransport({ session, drawing }: Props) {
       <StepButton icon="reset" label={words.reset} off={place === 0} onClick={() => goTo(0)} />
       <StepButton icon="previousStep" label={words.back} off={place === 0} onClick={() => goTo(place - 1)} />
       <StepButton icon="nextStep" label={words.forward} off={place === last} onClick={() => goTo(place + 1)} />
-      <input
-        type="range"
-        min={0}
-        max={last}
-        value={place}
-        style={{ '--filled': `${(100 * place) / Math.max(1, last)}%` }}
-        aria-label={words.target}
-        onInput={(event) => goTo(event.currentTarget.valueAsNumber)}
-      />
+      <RangeInput min={0} max={last} value={place} aria-label={words.target} onValue={goTo} />
       <p class="drawing-place" aria-live={playing ? 'off' : 'polite'}>
         {fillTemplate(words.place, { place: place + 1, count: last + 1 })}
         {drawing.strokes[place] < 0 && `, ${words.air}`}

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
+import { RangeInput } from '../../../lib/range_input.tsx';
 
 interface Props {
   label: ComponentChildren;
@@ -20,17 +21,7 @@ export function Slider({ label, value, min, max, step, text, spoken = text, onSe
   return (
     <div class="question-slider">
       <label for={id}>{label}</label>
-      <input
-        id={id}
-        type="range"
-        min={min}
-        max={max}
-        step={step}
-        value={value}
-        style={{ '--filled': `${(100 * (value - min)) / (max - min)}%` }}
-        aria-valuetext={spoken}
-        onInput={(event) => onSet(event.currentTarget.valueAsNumber)}
-      />
+      <RangeInput id={id} min={min} max={max} step={step} value={value} aria-valuetext={spoken} onValue={onSet} />
       <output for={id}>{text}</output>
     </div>
   );

@@ -1,6 +1,7 @@
 import type { KinematicsSession, Search } from '../../../app/kinematics_session.ts';
 import { inLanguage } from '../../../app/messages/in_language.ts';
 import { countEvents } from '../../../app/pose.ts';
+import { RangeInput } from '../../../lib/range_input.tsx';
 import { StepButton } from '../../../views/stepper/step_button.tsx';
 import { en } from './en.ts';
 import { iterationEnds, momentAt } from './moment.ts';
@@ -40,16 +41,14 @@ export function Trace({ session }: { session: KinematicsSession }) {
         />
         <StepButton icon="last" label={words.last} off={atEnd} onClick={() => to(last)} />
       </div>
-      <input
-        type="range"
+      <RangeInput
         min={0}
         max={last}
         value={event}
         disabled={last === 0}
-        style={{ '--filled': `${(100 * event) / Math.max(1, last)}%` }}
         aria-label={words.slider}
         aria-valuetext={text}
-        onInput={({ currentTarget }) => session.seek(currentTarget.valueAsNumber)}
+        onValue={(value) => session.seek(value)}
       />
       <output class="trace-place" aria-live={session.playing.value ? 'off' : 'polite'} data-testid="moment">
         {text}

@@ -1,5 +1,6 @@
 import { t } from '../../../app/messages/index.ts';
 import { formatNumber } from '../../../lib/format.ts';
+import { RangeInput } from '../../../lib/range_input.tsx';
 import { symbolCommand } from '../../../notation/macros.ts';
 import type { SymbolId } from '../../../notation/symbols.ts';
 import { Formula } from '../../../views/equations/formula.tsx';
@@ -34,15 +35,7 @@ export function FigureSlider({ figure, name }: { figure: FigureSession; name: Sl
       <span>
         {symbol ? <Formula tex={symbolCommand(symbol)} /> : <i>K</i>} {t(`page.controls.${name}`)}
       </span>
-      <input
-        type="range"
-        min={first}
-        max={last}
-        value={tick}
-        style={{ '--filled': `${(100 * (tick - first)) / (last - first)}%` }}
-        aria-valuetext={shown}
-        onInput={(event) => set(event.currentTarget.valueAsNumber)}
-      />
+      <RangeInput min={first} max={last} value={tick} aria-valuetext={shown} onValue={set} />
       <output>{counts ? value : shown}</output>
     </label>
   );
